@@ -50,12 +50,12 @@ void take_states(const SavedState& now, SavedState& next) {
 
 /// Takes the waypoints that robots aim at. They belong to a graph, which depends on walls and
 /// radii.
-void take_ways(const SavedState& now, SavedState& next) {
-  if (now.ways.size() != next.ways.size() || now.scene.obstacles != next.scene.obstacles ||
+void take_routes(const SavedState& now, SavedState& next) {
+  if (now.routes.size() != next.routes.size() || now.scene.obstacles != next.scene.obstacles ||
       now.scene.navigation != next.scene.navigation)
     return;
-  for (std::size_t k = 0; k < next.ways.size(); ++k)
-    if (now.scene.robots[k].goal == next.scene.robots[k].goal) next.ways[k] = now.ways[k];
+  for (std::size_t k = 0; k < next.routes.size(); ++k)
+    if (now.scene.robots[k].goal == next.scene.robots[k].goal) next.routes[k] = now.routes[k];
 }
 
 bool same_clocks(const SavedState& a, const SavedState& b) {
@@ -96,7 +96,7 @@ void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on) {
   }
   take_time(now, next);
   if (same_robots(now, next)) {
-    take_ways(now, next);
+    take_routes(now, next);
     if (has_goals_of(now, next)) next.flights = now.flights;
   }
   simulation.restore(avo::to_bytes(std::move(next)));

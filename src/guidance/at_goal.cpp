@@ -20,12 +20,12 @@ Seeker seeker_of(const Comer& robot, const RobotTraits& traits, const Heading& h
           .yields = heading.yields};
 }
 
-AtSharedGoal at_shared_goal(const Seeker& seeker, Occupied& occupied, const Ways& ways,
+AtSharedGoal at_shared_goal(const Seeker& seeker, Occupied& occupied, const Routes& routes,
                             std::span<const Wall> walls, Detour& detour) {
   const bool sees_goal = seeker.next == seeker.goal, taken = is_taken(occupied);
   const bool is_near = sees_goal && seeker.is_near;
   if (seeker.yields || !(is_near || taken)) return {};
-  const auto is_among_them = [&] { return is_at_crowd(seeker, occupied, &ways); };
+  const auto is_among_them = [&] { return is_at_crowd(seeker, occupied, &routes); };
   // a robot with wheels reaches few of the places beside it, and no robot reaches those right
   // beside a mover
   const bool is_content = seeker.steers || occupied.has_movers;

@@ -30,7 +30,7 @@ struct AtSharedGoal {
 };
 /// Computes it for that robot as a seeker, from what it sees; sets Detour::goal_taken. It must come
 /// to rest at a goal at which there may be no room for it.
-AtSharedGoal at_shared_goal(const Seeker& seeker, Occupied& occupied, const Ways& ways,
+AtSharedGoal at_shared_goal(const Seeker& seeker, Occupied& occupied, const Routes& routes,
                             std::span<const Wall> walls, Detour& detour);
 
 /// The decision of a robot that stops.

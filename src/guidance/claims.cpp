@@ -19,8 +19,8 @@ Vec2 beyond(Vec2 p, Vec2 target, double rest) {
 }
 
 // The robot's own prospect; its route must be known.
-Prospect prospect_of(const Ways& ways, const Follower& robot, const Travel& travel) {
-  return look_ahead(ways.passages, *travel.graph, *travel.map, robot.as_seen.position,
+Prospect prospect_of(const Routes& routes, const Follower& robot, const Travel& travel) {
+  return look_ahead(routes.passages, *travel.graph, *travel.map, robot.as_seen.position,
                     travel.target, reach_of(robot.traits));
 }
 
@@ -42,14 +42,14 @@ bool is_waited_for_first(const Claimant& robot, const Claimant& a, const Claiman
 
 }  // namespace
 
-void append_claims(const Ways& ways, Claimant robot, Vec2 velocity,
+void append_claims(const Routes& routes, Claimant robot, Vec2 velocity,
                    std::vector<Claimant>& claimants) {
-  ways.passages.for_each_watched(robot.position, [&](std::uint32_t number) {
-    const Passage& passage = ways.passages[number];
+  routes.passages.for_each_watched(robot.position, [&](std::uint32_t number) {
+    const Passage& passage = routes.passages[number];
     const auto claim = seen_claim(passage, number, robot.position, velocity);
     if (!claim) return;
     const Vec2 mouth = axis_point(passage, claim->forward, 0.0).point;
-    if (!claim->inside && !ways.is_in_sight(robot.position, mouth)) return;
+    if (!claim->inside && !routes.is_in_sight(robot.position, mouth)) return;
     robot.claim = *claim;
     claimants.push_back(robot);
   });
@@ -74,11 +74,11 @@ void order_claims(std::size_t passages, std::size_t parts, Claims& claims) {
   first[0] = 0;
 }
 
-Heading heed_passages(const Ways& ways, const Claims& claims, const Follower& robot,
+Heading heed_passages(const Routes& routes, const Claims& claims, const Follower& robot,
                       const Travel& travel, const Heading& heading, double sensing_radius) {
   if (!travel.is_known()) return heading;
   const Vec2 p = robot.as_seen.position;
-  const auto [claim, lane] = prospect_of(ways, robot, travel);
+  const auto [claim, lane] = prospect_of(routes, robot, travel);
   const double rest = norm(heading.goal - p);
   Heading heeding = heading;
   const bool in_company = is_in_company(robot.traits.radius, robot.nearest);
@@ -86,7 +86,7 @@ Heading heed_passages(const Ways& ways, const Claims& claims, const Follower& ro
     heeding.goal = beyond(p, *lane, rest), heeding.next = *lane, heeding.guide = Guide::lane;
   if (!claim) return heeding;
   const Course course =
-      right_of_way(ways.passages[claim->passage], claimant_of(robot, *claim),
+      right_of_way(routes.passages[claim->passage], claimant_of(robot, *claim),
                    planned_braking(robot.traits), claims.of(claim->passage), sensing_radius);
   heeding.yields = course.target || course.max_speed < heeding.preferred_speed;
   if (heeding.yields) heeding.guide = Guide::passage;
@@ -97,13 +97,13 @@ Heading heed_passages(const Ways& ways, const Claims& claims, const Follower& ro
   return heeding;
 }
 
-std::optional<Simulation::Wait> wait_of(const Ways& ways, const Claims& claims,
+std::optional<Simulation::Wait> wait_of(const Routes& routes, const Claims& claims,
                                         const Follower& follower, const Travel& travel,
                                         double sensing_radius) {
   if (!travel.is_known()) return std::nullopt;
-  const auto claim = prospect_of(ways, follower, travel).claim;
+  const auto claim = prospect_of(routes, follower, travel).claim;
   if (!claim) return std::nullopt;
-  const Passage& passage = ways.passages[claim->passage];
+  const Passage& passage = routes.passages[claim->passage];
   const Claimant robot = claimant_of(follower, *claim);
   const std::span<const Claimant> claimants = claims.of(claim->passage);
   const Course course =
@@ -116,7 +116,7 @@ std::optional<Simulation::Wait> wait_of(const Ways& ways, const Claims& claims,
     if (first == nullptr || is_waited_for_first(robot, other, *first)) first = &other;
   }
   if (first == nullptr) return std::nullopt;
-  const Segment gap = ways.passages.narrowest_gap(claim->passage);
+  const Segment gap = routes.passages.narrowest_gap(claim->passage);
   return Simulation::Wait{.passage = axis_point(passage, true, 0.5 * passage.length()).point,
                           .robot = {first->rank},
                           .inside = first->claim.inside,

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "guidance/ways.h"
+#include "guidance/routes.h"
 #include "navigation/prospect.h"
 #include "navigation/right_of_way.h"
 
@@ -29,7 +29,7 @@ struct Claims {
 
 /// Appends the claims that a robot seems to have, by its place and its velocity, m/s. robot: as
 /// others see it, without a claim.
-void append_claims(const Ways& ways, Claimant robot, Vec2 velocity,
+void append_claims(const Routes& routes, Claimant robot, Vec2 velocity,
                    std::vector<Claimant>& claimants);
 
 /// Orders the claims in the first `parts` parts by passage, of so many passages.
@@ -41,12 +41,12 @@ inline bool is_in_company(double radius, double nearest) {
 }
 
 /// Applies the rules at passages to the heading.
-Heading heed_passages(const Ways& ways, const Claims& claims, const Follower& robot,
+Heading heed_passages(const Routes& routes, const Claims& claims, const Follower& robot,
                       const Travel& travel, const Heading& heading, double sensing_radius);
 
 /// The robot for which this robot waits at a passage, if it waits. Simulation::Wait::robot has its
 /// Claimant::rank. It moves no robot.
-std::optional<Simulation::Wait> wait_of(const Ways& ways, const Claims& claims,
+std::optional<Simulation::Wait> wait_of(const Routes& routes, const Claims& claims,
                                         const Follower& robot, const Travel& travel,
                                         double sensing_radius);
 

@@ -3,8 +3,8 @@
 // are held, or back out of a jam.
 #pragma once
 #include "guidance/claims.h"
+#include "guidance/routes.h"
 #include "guidance/travel.h"
-#include "guidance/ways.h"
 
 namespace avo::inline guidance {
 
@@ -14,7 +14,7 @@ struct Follower {
   Claimant as_seen;  // the robot as others see it, without its claim
   RobotTraits traits;
   Vec2 end = {};              // m, of its route
-  double own_way = 0.0;       // m, see own_way_of()
+  double own_path = 0.0;      // m, see own_path_of()
   double nearest = 0.0;       // m, distance of the nearest other that it senses; infinity: none
   float detour = 0.0F;        // rad, see Detour::angle
   bool looks_around = false;  // see looks_around()
@@ -28,7 +28,7 @@ struct Headings {
 };
 
 /// time_step: s, until its next decision. sensing_radius: m, from which it knows claims of others.
-Headings guide(const Ways& ways, const Claims& claims, const Follower& robot, double time_step,
+Headings guide(const Routes& routes, const Claims& claims, const Follower& robot, double time_step,
                double sensing_radius, Travel& travel, LegScratch& scratch);
 
 }  // namespace avo::inline guidance

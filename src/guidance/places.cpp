@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "guidance/ways.h"
+#include "guidance/routes.h"
 #include "walls/segment.h"
 
 namespace avo::inline guidance {
@@ -217,13 +217,13 @@ Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const 
   return PlaceSearch(seeker, occupied, walls).best();
 }
 
-bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Ways* ways) {
+bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Routes* routes) {
   const auto first = occupied.resting.begin(), last = occupied.resting.end();
   if (!occupied.is_on_goal) return false;
-  const auto leads_on = [ways](Vec2 from, double reach) {
-    return [ways, from, reach](const Resting& next) {
+  const auto leads_on = [routes](Vec2 from, double reach) {
+    return [routes, from, reach](const Resting& next) {
       return norm(next.position - from) < reach + next.reach &&
-             (ways == nullptr || ways->is_in_sight(from, next.position));
+             (routes == nullptr || routes->is_in_sight(from, next.position));
     };
   };
   // reach is the sum of two radii: so two robots leave room for one seeker between their surfaces

@@ -12,7 +12,7 @@
 
 namespace avo::inline guidance {
 
-class Ways;
+class Routes;
 
 /// A robot that searches for its place.
 struct Seeker {
@@ -63,8 +63,8 @@ Vec2 place_near(const Seeker& seeker, const Occupied& occupied, std::span<const 
 
 /// Returns whether the robots at rest lead from the seeker to its goal, and one stands there. The
 /// seeker then fits through between none of them and the next. It moves the examined ones to the
-/// front. `ways`: the walls of these routes separate robots, if any.
-bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Ways* ways = nullptr);
+/// front. `routes`: the walls of these routes separate robots, if any.
+bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Routes* routes = nullptr);
 
 /// Where the seeker moves to. stays: to its present place. Sets Detour::goal_taken, except if a
 /// robot comes out from among the robots at rest.

@@ -13,7 +13,7 @@ namespace avo::inline guidance {
 
 struct RobotTraits {
   double radius = 0.0;            // m, of its disc
-  double way_radius = 0.0;        // m, of each disc of its footprint: the room that its route needs
+  double route_radius = 0.0;      // m, of each disc of its footprint: the room that its route needs
   double max_speed = 0.0;         // m/s
   double max_acceleration = 0.0;  // m/s^2
   double max_braking = 0.0;       // m/s^2
@@ -24,7 +24,7 @@ struct RobotTraits {
 /// The traits of a robot with that preferred speed, m/s.
 inline RobotTraits traits_of(const Robot& robot, double preferred_speed) {
   return {.radius = robot.radius,
-          .way_radius = way_radius(robot.model, robot.radius),
+          .route_radius = route_radius(robot.model, robot.radius),
           .max_speed = robot.max_speed,
           .max_acceleration = robot.max_acceleration,
           .max_braking = braking_limit(robot),
@@ -34,7 +34,7 @@ inline RobotTraits traits_of(const Robot& robot, double preferred_speed) {
 }
 /// m, from its position to the farthest center of its footprint.
 inline double reach_of(const RobotTraits& traits) {
-  return traits.radius - traits.way_radius;
+  return traits.radius - traits.route_radius;
 }
 inline Ability ability_of(const RobotTraits& traits) {
   return {traits.max_acceleration, traits.max_braking};
@@ -57,9 +57,9 @@ inline double top_acceleration(const RobotTraits& traits) {
 
 /// m, from its goal: a robot that maneuvers finds its own path within this distance. model: none
 /// for a holonomic robot.
-inline double own_way_of(const MotionModel* model) {
-  constexpr double kOwnWay = 0.6;  // of its room for maneuvers
-  return model != nullptr ? kOwnWay * model_traits(*model).maneuver_room : 0.0;
+inline double own_path_of(const MotionModel* model) {
+  constexpr double kOwnPath = 0.6;  // of its room for maneuvers
+  return model != nullptr ? kOwnPath * model_traits(*model).maneuver_room : 0.0;
 }
 
 }  // namespace avo::inline guidance

@@ -36,7 +36,7 @@ void aim_at(Travel& travel, std::uint32_t target, LegScratch& scratch) {
   travel.target = target;
   if (!travel.map->is_whole)
     travel.map = std::make_shared<const PathMap>(
-        way_from(*travel.graph, *travel.map, target, scratch.search));
+        route_from(*travel.graph, *travel.map, target, scratch.search));
 }
 
 bool is_searched(const CornerGraph& graph) {
@@ -74,11 +74,11 @@ Simulation::Route rest_of_route(const Travel& travel, Vec2 position, Vec2 goal) 
   const auto rest = rest_of(travel);
   if (rest && travel.target != PathMap::kGoal)
     way.length = norm(rest->first - position) + rest->second, way.next = rest->first;
-  if (travel.ends == WayEnd::short_of) way.length = kInfinity;
+  if (travel.ends == RouteEnd::short_of) way.length = kInfinity;
   return way;
 }
 
-Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_way,
+Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_path,
                bool looks_around, LegScratch& scratch) {
   const Heading straight = straight_to(end, robot);
   if (travel.graph == nullptr) return straight;
@@ -88,7 +88,7 @@ Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot
   if (leg.is_last() || leg.target == PathMap::kNothing) return straight;
   const Vec2 way = leg.aim - position;
   const double distance = norm(way), to_end = norm(end - position);
-  if (!(distance > 0.0) || (to_end < own_way && leg.length < kLittleDetour * to_end))
+  if (!(distance > 0.0) || (to_end < own_path && leg.length < kLittleDetour * to_end))
     return straight;
   return {
       .goal = position + (leg.length / distance) * way,

@@ -23,7 +23,7 @@ namespace avo::inline guidance {
 inline constexpr double kBesideSlack = 1e-5;
 
 /// Where a robot's route ends.
-enum class WayEnd : std::uint8_t {
+enum class RouteEnd : std::uint8_t {
   goal,
   beside,    ///< the nearest reachable place, within arrival_distance: the robot has arrived then
   short_of,  ///< the nearest reachable place, farther off
@@ -49,14 +49,14 @@ struct Travel {
   std::shared_ptr<const PathMap> map = {};
   std::uint32_t target = PathMap::kNothing;
   bool around_movers = false;  // whether the graph is of walls and of movers at rest
-  WayEnd ends = WayEnd::goal;
+  RouteEnd ends = RouteEnd::goal;
   Vec2 place = {};  // m, where it ends, if not at the goal
   Waiting waiting = {};
 
   /// Returns whether a route to its end is known.
   [[nodiscard]] bool is_known() const { return graph != nullptr && target != PathMap::kNothing; }
   /// m, its end, for a robot with that goal.
-  [[nodiscard]] Vec2 end(Vec2 goal) const { return ends == WayEnd::goal ? goal : place; }
+  [[nodiscard]] Vec2 end(Vec2 goal) const { return ends == RouteEnd::goal ? goal : place; }
   /// m, the final target of such a robot: the goal itself without navigation.
   [[nodiscard]] Vec2 heads_for(Vec2 goal) const { return graph != nullptr ? end(goal) : goal; }
 };
@@ -105,9 +105,9 @@ double length_of(const Travel& travel, Vec2 position);
 Simulation::Route rest_of_route(const Travel& travel, Vec2 position, Vec2 goal);
 
 /// Updates the target. end: of the route, or the goal where there are no walls. `looks_around` must
-/// be true from time to time, see next_leg(). A robot that finds its own path within `own_way` m of
-/// the end moves straight to it there, unless the route around is much longer.
-Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_way,
+/// be true from time to time, see next_leg(). A robot that finds its own path within `own_path` m
+/// of the end moves straight to it there, unless the route around is much longer.
+Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_path,
                bool looks_around, LegScratch& scratch);
 
 /// Changes the heading of a robot of that radius, if a mover at rest stands on its end and it moves

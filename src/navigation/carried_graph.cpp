@@ -154,8 +154,8 @@ PathMap carried_map(const PathMap& map, std::uint32_t target, const CornerGraph&
   left.is_whole = false;
   left.from = map.from, left.reach = map.reach, left.longest_edge = map.longest_edge;
   left.closed = map.closed;
-  left.settled = std::min(map.settled,
-                          least_way_into(changed, map.from, map.goal) * (1.0 - 2.0 * kWayRounding));
+  left.settled = std::min(
+      map.settled, least_route_into(changed, map.from, map.goal) * (1.0 - 2.0 * kRouteRounding));
   for (std::size_t k = map.place_of(target); k < map.corners.size(); ++k) {
     left.corners.push_back(now(map.corners[k])), left.next.push_back(now(map.next[k]));
     left.length.push_back(map.length[k]), left.top.push_back(map.top[k]);

@@ -108,7 +108,7 @@ std::uint32_t best_by_search(const Lookout& lookout) {
     return best.first + lookout.margin();
   });
   if (best.second != PathMap::kNothing)
-    lookout.known = std::make_shared<const PathMap>(search.way_from(best.second));
+    lookout.known = std::make_shared<const PathMap>(search.route_from(best.second));
   return best.second;
 }
 
@@ -143,7 +143,7 @@ bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, bool is_besi
   const double to_from = norm(q - map.from);
   const double settled = is_beside || to_from <= map.reach ? map.settled - to_from : 0.0;
   const double from_there = std::max(settled, norm(q - map.goal));
-  return (from_there + norm(q - lookout.p)) * (1.0 - kWayRounding) >= least;
+  return (from_there + norm(q - lookout.p)) * (1.0 - kRouteRounding) >= least;
 }
 
 // Tries the entries of a map of one route for everything that best_around() examines; false: the
@@ -181,7 +181,7 @@ bool turn_to(const Lookout& lookout, std::uint32_t corner) {
     const PathMap::Known* around = map.around_at(k);
     return around != nullptr ? std::optional(*around) : std::nullopt;
   };
-  if (!add_way(lookout.graph, corner, known, turned)) return false;
+  if (!add_route(lookout.graph, corner, known, turned)) return false;
   lookout.known = std::make_shared<const PathMap>(std::move(turned));
   return true;
 }
@@ -214,7 +214,7 @@ std::uint32_t best_beside(const Lookout& lookout, std::uint32_t target, bool is_
       choice.best = edge.to, choice.least = length;
   }
   if (choice.best != PathMap::kNothing)
-    lookout.known = std::make_shared<const PathMap>(search.way_from(choice.best));
+    lookout.known = std::make_shared<const PathMap>(search.route_from(choice.best));
   return choice.best;
 }
 
@@ -280,14 +280,14 @@ Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius
   return next_leg(graph, whole, p, radius, target, looks_around, scratch);
 }
 
-PathMap way_from(const CornerGraph& graph, const PathMap& goal, std::uint32_t corner,
-                 PathScratch& scratch) {
+PathMap route_from(const CornerGraph& graph, const PathMap& goal, std::uint32_t corner,
+                   PathScratch& scratch) {
   if (!goal.is_free || !graph.is_corner(corner)) return goal;
   PathSearch search(graph, goal, graph.points[corner], scratch);
   search.settle(kInfinity, [&](std::uint32_t found, double length) {
     return found == corner ? length : kInfinity;
   });
-  return search.is_settled(corner) ? search.way_from(corner) : goal;
+  return search.is_settled(corner) ? search.route_from(corner) : goal;
 }
 
 double speed_limit(const Leg& leg, double max_acceleration) {

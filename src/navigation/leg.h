@@ -39,8 +39,8 @@ Leg next_leg(const CornerGraph& graph, const PathMap& map, Vec2 p, double radius
              std::uint32_t target, bool looks_around, LegScratch& scratch);
 
 /// The map of the route to the goal from that corner on, or of the goal alone where there is none.
-PathMap way_from(const CornerGraph& graph, const PathMap& goal, std::uint32_t corner,
-                 PathScratch& scratch);
+PathMap route_from(const CornerGraph& graph, const PathMap& goal, std::uint32_t corner,
+                   PathScratch& scratch);
 
 /// m/s, from which the robot can make the turns ahead. The goal, where the last leg ends, gives no
 /// limit.

@@ -76,7 +76,7 @@ inline Vec2 point_of(const CornerGraph& graph, const PathMap& map, std::uint32_t
 /// Adds the route from that corner on to a map without one, if `known` has an entry for each corner
 /// on it. Returns false if an entry is missing.
 template <typename Known>
-bool add_way(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map);
+bool add_route(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map);
 
 /// m, of the route from the target on; infinity: no route is known.
 double length_from(const CornerGraph& graph, const PathMap& map, std::uint32_t target);
@@ -87,7 +87,7 @@ double top_before(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uin
                   double& turn);
 
 template <typename Known>
-bool add_way(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map) {
+bool add_route(const CornerGraph& graph, std::uint32_t corner, const Known& known, PathMap& map) {
   while (corner != PathMap::kGoal) {
     const std::optional<PathMap::Known> here = known(corner);
     if (!here) return false;

@@ -88,7 +88,7 @@ void PathSearch::spread(std::uint32_t corner) {
 
 bool PathSearch::is_settled(std::uint32_t corner) const {
   return scratch_.reached[corner].search == scratch_.search &&
-         sum_of(corner) * (1.0 + 0.5 * kWayRounding) < settled_;
+         sum_of(corner) * (1.0 + 0.5 * kRouteRounding) < settled_;
 }
 
 // Stores the settled corners nearest to `from`, those beside the route, and the routes from there.
@@ -99,7 +99,7 @@ void PathSearch::tell_around(PathMap& map) const {
   map.reach = std::numeric_limits<double>::infinity();
   if (near.size() > std::size_t{kMostAround}) {
     std::nth_element(near.begin(), near.begin() + kMostAround, near.end());
-    map.reach = near[kMostAround].first * (1.0 - kWayRounding);
+    map.reach = near[kMostAround].first * (1.0 - kRouteRounding);
     near.resize(kMostAround);
   }
   std::vector<PathMap::Known> around;
@@ -122,13 +122,13 @@ void PathSearch::tell_around(PathMap& map) const {
   map.around = std::make_shared<const std::vector<PathMap::Known>>(std::move(around));
 }
 
-PathMap PathSearch::way_from(std::uint32_t target) const {
+PathMap PathSearch::route_from(std::uint32_t target) const {
   PathMap map;
   map.goal = goal_.goal, map.room = goal_.room, map.is_free = goal_.is_free;
   map.closed = goal_.closed;
   map.is_whole = false;
   map.from = from_, map.settled = settled_, map.longest_edge = longest_edge_;
-  add_way(
+  add_route(
       graph_, target,
       [&](std::uint32_t k) {
         return std::optional(PathMap::Known{k, scratch_.reached[k].next, length(k)});

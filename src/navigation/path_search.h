@@ -27,7 +27,7 @@ struct PathScratch {
 };
 
 /// A part of a sum of lengths, more than its rounding.
-inline constexpr double kWayRounding = 1e-9;
+inline constexpr double kRouteRounding = 1e-9;
 
 class PathSearch {
  public:
@@ -48,7 +48,7 @@ class PathSearch {
   }
   [[nodiscard]] std::size_t count() const { return scratch_.settled.size(); }
   /// The map of the route from that target on, which is settled, or the goal.
-  [[nodiscard]] PathMap way_from(std::uint32_t target) const;
+  [[nodiscard]] PathMap route_from(std::uint32_t target) const;
 
  private:
   struct Front {
@@ -78,7 +78,7 @@ template <typename Visit>
 void PathSearch::settle(double limit, const Visit& visit) {
   reach_from_goal();
   while (!scratch_.open.empty() &&
-         scratch_.open.front().first <= limit * (1.0 + kWayRounding) + kLengthRounding) {
+         scratch_.open.front().first <= limit * (1.0 + kRouteRounding) + kLengthRounding) {
     const Front front = pop();
     if (front.sum <= sum_of(front.corner)) {  // otherwise it has been reached again since
       spread(front.corner);

@@ -66,7 +66,7 @@ bool may_meet(std::span<const Zone> zones, Vec2 p, Vec2 q, double length) {
   });
 }
 
-double least_way_into(std::span<const Zone> zones, Vec2 p, Vec2 q) {
+double least_route_into(std::span<const Zone> zones, Vec2 p, Vec2 q) {
   double least = std::numeric_limits<double>::infinity();
   for (const Zone& zone : zones)
     least = std::min(least, norm(p - zone.center) + norm(q - zone.center) - 2.0 * zone.reach);

@@ -21,7 +21,7 @@ bool is_in_one(std::span<const Zone> zones, Vec2 p, double margin);
 /// Returns whether a route from p to q of that length, m, may enter one of them.
 bool may_meet(std::span<const Zone> zones, Vec2 p, Vec2 q, double length);
 /// m: no shorter route from p to q enters one of them.
-double least_way_into(std::span<const Zone> zones, Vec2 p, Vec2 q);
+double least_route_into(std::span<const Zone> zones, Vec2 p, Vec2 q);
 
 /// Two lists that differ between a common beginning and a common end.
 struct WallChanges {

@@ -46,17 +46,17 @@ std::shared_ptr<const PathMap> map_of(const std::vector<Vec2>& points) {
 }
 
 // The heading around the walls that hide the route, back to it.
-std::optional<Heading> way_back(Ways& ways, const Follower& robot, Vec2 aim, OnRoute& on) {
-  if (ways.is_in_sight(robot.place, aim)) {
+std::optional<Heading> route_back(Routes& routes, const Follower& robot, Vec2 aim, OnRoute& on) {
+  if (routes.is_in_sight(robot.place, aim)) {
     on.back.reset();
     return std::nullopt;
   }
-  if (!on.back || !ways.is_in_sight(on.back_to, aim)) {
-    on.back = ways.plan(robot.traits.way_radius, robot.place, aim, 0.0);
+  if (!on.back || !routes.is_in_sight(on.back_to, aim)) {
+    on.back = routes.plan(robot.traits.route_radius, robot.place, aim, 0.0);
     on.back_to = aim;
   }
-  return follow(*on.back, robot.place, on.back_to, robot.traits, robot.own_way, robot.looks_around,
-                ways.scratch());
+  return follow(*on.back, robot.place, on.back_to, robot.traits, robot.own_path, robot.looks_around,
+                routes.scratch());
 }
 
 // m/s: the speed that the corners ahead leave the robot, and from which it can still turn. More of
@@ -156,7 +156,7 @@ double left_of(const OnRoute& on, Vec2 position) {
   return route.length() - on.along + norm(route.at(on.along) - position);
 }
 
-Headings follow_given(Ways& ways, const Claims& claims, const Follower& robot, Vec2 velocity,
+Headings follow_given(Routes& routes, const Claims& claims, const Follower& robot, Vec2 velocity,
                       const Pursuit& pursuit, OnRoute& on) {
   const RoundedRoute& route = on.route->rounded;
   const double speed = norm(velocity), until = on.next().along;
@@ -164,16 +164,17 @@ Headings follow_given(Ways& ways, const Claims& claims, const Follower& robot, V
     return std::max(kLags * pursuit.cornering.lag * v, pursuit.least_ahead);
   };
   const double farthest = std::min(on.along + kBackOn * ahead_at(speed), until);
-  on.along = on.has_begun ? route.nearest(robot.place, on.along, farthest)
-                          : route.first_near(robot.place, kBegins * robot.traits.way_radius, until);
+  on.along = on.has_begun
+                 ? route.nearest(robot.place, on.along, farthest)
+                 : route.first_near(robot.place, kBegins * robot.traits.route_radius, until);
   on.has_begun = true;
   const double wished = speed_of(robot, speed, pursuit, on);
   Heading by_route =
       heading_along(robot, wished, ahead_at(std::min(speed, wished)), pursuit.end_direction, on);
-  if (const auto back = way_back(ways, robot, by_route.next, on)) by_route = *back;
+  if (const auto back = route_back(routes, robot, by_route.next, on)) by_route = *back;
   Headings result{by_route, by_route};
-  if (ways.passages.empty()) return result;
-  result.heading = heed_passages(ways, claims, robot, as_travel(on), by_route, kInfinity);
+  if (routes.passages.empty()) return result;
+  result.heading = heed_passages(routes, claims, robot, as_travel(on), by_route, kInfinity);
   result.by_route.yields = result.heading.yields;
   return result;
 }

@@ -75,7 +75,7 @@ struct Pursuit {
 };
 
 /// The heading of a robot with that velocity, m/s. It updates how far the robot is.
-Headings follow_given(Ways& ways, const Claims& claims, const Follower& robot, Vec2 velocity,
+Headings follow_given(Routes& routes, const Claims& claims, const Follower& robot, Vec2 velocity,
                       const Pursuit& pursuit, OnRoute& on);
 
 /// The route as passages know it: straight pieces from its next point on.

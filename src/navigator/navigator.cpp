@@ -34,12 +34,13 @@ NavigatorState::NavigatorState(const NavigatorOptions& given, std::vector<Wall> 
       planner(with_all_walls(given.planner)),
       response(step_response(planner)),
       map(std::move(walls)) {
-  memory.ways = std::make_shared<Ways>(way_rules_of(options), map, std::vector<Wall>{});
+  memory.routes = std::make_shared<Routes>(route_rules_of(options), map, std::vector<Wall>{});
   if (options.execution) tracker.emplace(*options.execution, planner);
 }
 
 void NavigatorState::take_map(std::vector<Wall> walls) {
-  memory.ways = std::make_shared<Ways>(way_rules_of(options), walls, memory.ways->resting());
+  memory.routes =
+      std::make_shared<Routes>(route_rules_of(options), walls, memory.routes->resting());
   map = std::move(walls);
   needs.reset();
   memory.travel = {}, memory.on.back.reset(), memory.is_planned = false;
@@ -50,7 +51,7 @@ void NavigatorState::begin(Mission next) {
   if (next == mission) return;
   mission = std::move(next);
   Memory fresh;  // as Simulation::set_goal()
-  fresh.ways = memory.ways, fresh.passages_for = memory.passages_for;
+  fresh.routes = memory.routes, fresh.passages_for = memory.passages_for;
   fresh.detour.congestion = memory.detour.congestion;
   fresh.detour.acceleration_x = memory.detour.acceleration_x;
   fresh.detour.acceleration_y = memory.detour.acceleration_y;

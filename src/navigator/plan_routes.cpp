@@ -42,9 +42,9 @@ void append_way(NavigatorState& state, const Robot& robot, Vec2 to, Memory& memo
                 std::vector<Waypoint>& points) {
   const Vec2 from = points.back().place;
   Travel travel =
-      memory.ways->empty()
+      memory.routes->empty()
           ? Travel{}
-          : memory.ways->plan(robot.radius, from, to, state.planner.options().arrival_distance);
+          : memory.routes->plan(robot.radius, from, to, state.planner.options().arrival_distance);
   for (std::uint32_t at = travel.target; travel.is_known() && at < PathMap::kNothing;
        at = travel.map->after(at))
     points.push_back({travel.graph->points[at]});
@@ -87,12 +87,12 @@ std::vector<Waypoint> corners_of(NavigatorState& state, Memory& memory, const Ro
       if (by_map && !(from == to)) append_way(state, robot, from, memory, points);
       if (!by_map && !(from == to)) points.push_back({from, 0.0, 1});
     }
-    if (by_map && (points.size() == 1 || memory.travel.ends != WayEnd::short_of))
+    if (by_map && (points.size() == 1 || memory.travel.ends != RouteEnd::short_of))
       append_way(state, robot, to, memory, points);
     else
       points.push_back({to});
     points.back().wait = is_last ? 0.0 : stage.wait, points.back().stages = by_map ? 1 : 0;
-    if (memory.travel.ends == WayEnd::short_of) break;
+    if (memory.travel.ends == RouteEnd::short_of) break;
   }
   return points;
 }
@@ -151,7 +151,7 @@ double same_place(const OnRoute& before, const RoundedRoute& route) {
 
 }  // namespace
 
-WayRules way_rules_of(const NavigatorOptions& options) {
+RouteRules route_rules_of(const NavigatorOptions& options) {
   return {.routes = options.navigation, .passages = options.right_of_way != RightOfWay::none};
 }
 
@@ -161,9 +161,9 @@ void plan_routes(NavigatorState& state, Memory& memory, const Robot& robot) {
   const Mission& mission = state.mission;
   if (mission.kind == Mission::Kind::goal && !mission.heading) {
     memory.on = {}, memory.travel = {};
-    if (!memory.ways->empty())
-      memory.travel = memory.ways->plan(robot.radius, robot.position, mission.goal(),
-                                        state.planner.options().arrival_distance);
+    if (!memory.routes->empty())
+      memory.travel = memory.routes->plan(robot.radius, robot.position, mission.goal(),
+                                          state.planner.options().arrival_distance);
     return;
   }
   const OnRoute before = std::exchange(memory.on, {});

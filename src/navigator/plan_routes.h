@@ -5,7 +5,7 @@
 
 namespace avo::inline navigator {
 
-WayRules way_rules_of(const NavigatorOptions& options);
+RouteRules route_rules_of(const NavigatorOptions& options);
 
 /// Makes the route where there is none for the mission, or for the robot's radius.
 void plan_routes(NavigatorState& state, Memory& memory, const Robot& robot);

@@ -55,16 +55,16 @@ void find_walls(NavigatorState& state, Memory& memory, const Robot& robot,
     state.needs = needs;
     PlanWorkspace::Scratch::of(state.workspace).reserve_walls(kRoomFor, state.grid.most());
   }
-  if (memory.passages_for == traits.way_radius) return;
-  if (is_copy(state, memory) && memory.ways == state.memory.ways)
-    memory.ways = std::make_shared<Ways>(way_rules_of(state.options), state.map,
-                                         state.memory.ways->resting());
-  memory.passages_for = traits.way_radius;
+  if (memory.passages_for == traits.route_radius) return;
+  if (is_copy(state, memory) && memory.routes == state.memory.routes)
+    memory.routes = std::make_shared<Routes>(route_rules_of(state.options), state.map,
+                                             state.memory.routes->resting());
+  memory.passages_for = traits.route_radius;
   std::vector<double> radii = state.options.fleet_radii;
-  radii.push_back(traits.way_radius);
+  radii.push_back(traits.route_radius);
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-  memory.ways->find_passages(std::move(radii));
+  memory.routes->find_passages(std::move(radii));
 }
 
 // Routes lead around the movers that are at rest now.
@@ -79,22 +79,22 @@ void go_around_resting(NavigatorState& state, Memory& memory, const Robot& robot
     if (const auto disc = resting_disc(one.position, one.velocity, one.radius, true))
       resting.push_back(*disc);
   }
-  const std::vector<Wall>& known = memory.ways->resting();
+  const std::vector<Wall>& known = memory.routes->resting();
   if (std::equal(resting.begin(), resting.end(), known.begin(), known.end(),
                  [](const Wall& a, const Wall& b) { return a.a == b.a && a.radius == b.radius; }))
     return;
-  auto ways =
-      std::make_shared<Ways>(way_rules_of(state.options), state.map, resting, memory.ways.get());
+  auto routes = std::make_shared<Routes>(route_rules_of(state.options), state.map, resting,
+                                         memory.routes.get());
   if (memory.is_planned && memory.travel.graph != nullptr)
-    memory.travel = plan_anew(*ways, robot.radius, robot.position, state.mission.goal(),
+    memory.travel = plan_anew(*routes, robot.radius, robot.position, state.mission.goal(),
                               state.planner.options().arrival_distance, &memory.travel);
   else if (state.mission.kind != Mission::Kind::route)  // that route leads where it leads
     memory.is_planned = false;
   memory.on.back.reset();
-  ways->forget_before();
-  if (!is_copy(state, memory)) ways->remember_passages(*memory.ways);
+  routes->forget_before();
+  if (!is_copy(state, memory)) routes->remember_passages(*memory.routes);
   memory.passages_for = 0.0;
-  memory.ways = std::move(ways);
+  memory.routes = std::move(routes);
 }
 
 // Reserves memory for the first steps of such a robot, so that later ones allocate nothing.
@@ -111,7 +111,7 @@ void make_room(NavigatorState& state, const Robot& robot) {
 // The claims of the others as the robot sees them. A robot that moves on claims nothing.
 void collect_claims(NavigatorState& state, const Memory& memory,
                     std::span<const Neighbor> neighbors) {
-  if (memory.ways->passages.empty()) return;
+  if (memory.routes->passages.empty()) return;
   std::vector<Claimant>& claimants = state.claims.parts.front();
   claimants.clear();
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
@@ -119,13 +119,13 @@ void collect_claims(NavigatorState& state, const Memory& memory,
     Claimant one;
     one.position = neighbors[k].position;
     one.rank = static_cast<std::uint32_t>(k);
-    append_claims(*memory.ways, one, neighbors[k].velocity, claimants);
+    append_claims(*memory.routes, one, neighbors[k].velocity, claimants);
   }
-  order_claims(memory.ways->passages.size(), 1, state.claims);
+  order_claims(memory.routes->passages.size(), 1, state.claims);
 }
 
 bool rests_at_place(const Memory& memory, const Robot& robot) {
-  return memory.travel.ends != WayEnd::short_of && memory.has_stood && robot.velocity == Vec2{};
+  return memory.travel.ends != RouteEnd::short_of && memory.has_stood && robot.velocity == Vec2{};
 }
 
 Follower follower_of(const NavigatorState& state, const Memory& memory, const Robot& robot,
@@ -137,7 +137,7 @@ Follower follower_of(const NavigatorState& state, const Memory& memory, const Ro
           .as_seen = as_seen,
           .traits = traits,
           .end = end_of(state.mission, memory),
-          .own_way = own_way_of(traits.has_model ? &robot.model : nullptr),
+          .own_path = own_path_of(traits.has_model ? &robot.model : nullptr),
           .nearest = nearest,
           .detour = memory.detour.angle,
           .looks_around = looks_around(state.options.id, memory.decisions),
@@ -182,24 +182,24 @@ AtSharedGoal at_goal(NavigatorState& state, Memory& memory, const Robot& robot,
   for (const Neighbor& neighbor : neighbors) state.occupied.add(seeker, neighbor);
   memory.taken = is_taken(state.occupied) ? memory.taken + time_step : 0.0;
   if (!state.mission.is_shared && memory.taken < kStand * time_to_speed(robot)) return {};
-  return at_shared_goal(seeker, state.occupied, *memory.ways, walls, memory.detour);
+  return at_shared_goal(seeker, state.occupied, *memory.routes, walls, memory.detour);
 }
 
 std::optional<Simulation::Wait> waited_for(const NavigatorState& state, const Memory& memory,
                                            const Follower& follower) {
   if (memory.on.is_given())
-    return wait_of(*memory.ways, state.claims, follower, as_travel(memory.on), kInfinity);
-  return wait_of(*memory.ways, state.claims, follower, memory.travel, kInfinity);
+    return wait_of(*memory.routes, state.claims, follower, as_travel(memory.on), kInfinity);
+  return wait_of(*memory.routes, state.claims, follower, memory.travel, kInfinity);
 }
 
 Headings headings_of(NavigatorState& state, Memory& memory, const Robot& robot,
                      const Follower& follower, double time_step) {
   if (memory.on.is_given())
-    return follow_given(*memory.ways, state.claims, follower, robot.velocity,
+    return follow_given(*memory.routes, state.claims, follower, robot.velocity,
                         pursuit_of(state, robot), memory.on);
-  if (!memory.ways->empty())
-    return guide(*memory.ways, state.claims, follower, time_step, kInfinity, memory.travel,
-                 memory.ways->scratch());
+  if (!memory.routes->empty())
+    return guide(*memory.routes, state.claims, follower, time_step, kInfinity, memory.travel,
+                 memory.routes->scratch());
   const Heading straight = straight_to(follower.end, follower.traits);
   return {straight, straight};
 }

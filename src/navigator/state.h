@@ -37,8 +37,8 @@ struct Progress {
 
 /// What one robot remembers from cycle to cycle.
 struct Memory {
-  std::shared_ptr<Ways> ways;  // by the map and the movers at rest
-  double passages_for = 0.0;   // m, the radius for which they know the passages
+  std::shared_ptr<Routes> routes;  // by the map and the movers at rest
+  double passages_for = 0.0;       // m, the radius for which they know the passages
   Detour detour;
   Travel travel;            // to the goal of a mission of kind goal
   OnRoute on;               // of the other kinds

@@ -53,10 +53,10 @@ Simulation::Route route_left(const NavigatorState& state, const Memory& memory,
   if (!state.mission.has_goal()) return {0.0, robot.position};
   const Vec2 goal = state.mission.goal();
   if (!memory.on.is_given()) {
-    if (memory.ways->empty()) return {norm(goal - robot.position), goal};
+    if (memory.routes->empty()) return {norm(goal - robot.position), goal};
     return rest_of_route(memory.travel, robot.position, goal);
   }
-  const bool is_short = memory.travel.ends == WayEnd::short_of;
+  const bool is_short = memory.travel.ends == RouteEnd::short_of;
   return {is_short ? kInfinity : left_of(memory.on, robot.position), memory.on.end(),
           is_short ? norm(goal - memory.travel.place) : 0.0};
 }
@@ -65,7 +65,7 @@ bool is_reached(const NavigatorState& state, const Memory& memory, const Robot& 
   const Mission& mission = state.mission;
   if (!mission.has_goal()) return false;
   const Vec2 p = place_of(robot), goal = mission.goal();
-  const bool is_beside = memory.travel.ends == WayEnd::beside;
+  const bool is_beside = memory.travel.ends == RouteEnd::beside;
   const double tolerance =
       state.options.xy_goal_tolerance.value_or(state.planner.options().arrival_distance);
   const double slack = is_beside ? kBesideSlack * robot.radius : 0.0;
@@ -73,10 +73,10 @@ bool is_reached(const NavigatorState& state, const Memory& memory, const Robot& 
       is_holonomic(robot.model) || !mission.heading ||
       std::abs(wrapped(robot.heading - *mission.heading)) <= state.options.yaw_goal_tolerance;
   if (is_at_end(state, memory, robot, tolerance + slack) && norm(goal - p) <= tolerance + slack &&
-      is_turned && memory.ways->is_in_sight(p, is_beside ? memory.travel.place : goal))
+      is_turned && memory.routes->is_in_sight(p, is_beside ? memory.travel.place : goal))
     return true;
   if (memory.on.is_given() && !memory.on.is_last()) return false;
-  return memory.travel.ends != WayEnd::short_of && memory.has_stood && robot.velocity == Vec2{};
+  return memory.travel.ends != RouteEnd::short_of && memory.has_stood && robot.velocity == Vec2{};
 }
 
 NavigatorStatus status_of(NavigatorState& state, const Robot& robot, double time) {
@@ -89,7 +89,7 @@ NavigatorStatus status_of(NavigatorState& state, const Robot& robot, double time
   if (!has_goal) return NavigatorStatus::idle;
   if (reached) return NavigatorStatus::reached;
   if (waits) return NavigatorStatus::waiting;
-  if (memory.travel.ends == WayEnd::short_of) return NavigatorStatus::unreachable;
+  if (memory.travel.ends == RouteEnd::short_of) return NavigatorStatus::unreachable;
   return memory.progress.time >= state.options.movement_time_allowance ? NavigatorStatus::stuck
                                                                        : NavigatorStatus::under_way;
 }

@@ -240,7 +240,7 @@ double towed_length(const MotionModel& model) {
   return drive != nullptr ? drive->offset : 0.0;
 }
 
-double way_radius(const MotionModel& model, double radius) {
+double route_radius(const MotionModel& model, double radius) {
   const Footprint footprint = footprint_of(model);
   return footprint ? footprint.radius : radius;
 }

@@ -161,7 +161,7 @@ double turning_radius(const MotionModel& model);
 double towed_length(const MotionModel& model);
 /// m: the radius with which its routes are found, for a disc of the other radius: that of each disc
 /// of its footprint.
-double way_radius(const MotionModel& model, double radius);
+double route_radius(const MotionModel& model, double radius);
 /// Returns whether every number is finite and in range, and the model allows these limits; the
 /// acceleration is change_limit().
 bool is_valid(const MotionModel& model, double most_change, double max_speed);

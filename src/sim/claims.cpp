@@ -12,7 +12,7 @@ namespace {
 // of a robot; memory for more is allocated when it is needed
 constexpr std::size_t kMostClaims = 4;
 
-void collect_claims(const World& world, const Ways& ways, Executor& executor, Claims& claims) {
+void collect_claims(const World& world, const Routes& routes, Executor& executor, Claims& claims) {
   const std::size_t robots = world.fleet.size(), parts = executor.workers();
   claims.parts.resize(std::max(claims.parts.size(), parts));
   parallel_for(executor, parts, [&](std::size_t part, std::size_t) {
@@ -22,11 +22,11 @@ void collect_claims(const World& world, const Ways& ways, Executor& executor, Cl
     for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k) {
       const std::uint32_t slot = world.fleet.slot_of[k];
       if (world.fleet.conduct[slot].parked || world.fleet.told_velocity(slot)) continue;
-      append_claims(ways, claimant_of(world, slot), world.fleet.velocity[slot], own);
+      append_claims(routes, claimant_of(world, slot), world.fleet.velocity[slot], own);
     }
   });
   claims.claimants.reserve(kMostClaims * robots);
-  order_claims(ways.passages.size(), parts, claims);
+  order_claims(routes.passages.size(), parts, claims);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Follower follower_of(const World& world, std::size_t slot, Vec2 lost, double nea
           .as_seen = claimant_of(world, slot),
           .traits = fleet.traits[slot],
           .end = world.end_of(slot),
-          .own_way = own_way_of(fleet.own_model(slot)),
+          .own_path = own_path_of(fleet.own_model(slot)),
           .nearest = nearest,
           .detour = fleet.detour[slot].angle,
           .looks_around = looks_around(fleet.id[slot], decisions_of(world, slot)),
@@ -58,18 +58,19 @@ Follower follower_of(const World& world, std::size_t slot, Vec2 lost, double nea
 }
 
 void collect_claims(const World& world, Executor& executor, std::vector<Claims>& claims) {
-  claims.resize(world.ways.size());
-  for (std::size_t k = 0; k < world.ways.size(); ++k)
-    if (!world.ways[k].passages.empty()) collect_claims(world, world.ways[k], executor, claims[k]);
+  claims.resize(world.routes.size());
+  for (std::size_t k = 0; k < world.routes.size(); ++k)
+    if (!world.routes[k].passages.empty())
+      collect_claims(world, world.routes[k], executor, claims[k]);
 }
 
 std::optional<Simulation::Wait> wait_of(const World& world, std::span<const Claims> claims,
                                         std::size_t slot) {
   const Fleet& fleet = world.fleet;
   const std::size_t floor = world.floor_of(slot);
-  if (fleet.conduct[slot].parked || world.ways[floor].passages.empty()) return std::nullopt;
+  if (fleet.conduct[slot].parked || world.routes[floor].passages.empty()) return std::nullopt;
   const Travel& travel = world.travels[static_cast<std::size_t>(fleet.rank[slot])];
-  auto wait = wait_of(world.ways[floor], claims[floor], follower_of(world, slot, {}, 0.0), travel,
+  auto wait = wait_of(world.routes[floor], claims[floor], follower_of(world, slot, {}, 0.0), travel,
                       world.sensing_radius);
   if (wait) wait->robot = fleet.id[fleet.slot_of[static_cast<std::size_t>(wait->robot.value)]];
   return wait;

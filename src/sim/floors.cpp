@@ -25,61 +25,61 @@ std::uint32_t floor_for(World& world, LayerSet robot) {
   StaticWorld& statics = world.statics;
   const std::size_t number = statics.floors.size();
   Floor floor = statics.floor_for(robot);
-  Ways ways(way_rules_of(world.settings), floor.walls, world.obstacles.resting());
+  Routes routes(route_rules_of(world.settings), floor.walls, world.obstacles.resting());
   std::vector<std::uint32_t> floors = world.floor;
   if (floors.empty()) floors.assign(world.fleet.size(), 0);
-  statics.floors.reserve(number + 1), world.ways.reserve(number + 1);
+  statics.floors.reserve(number + 1), world.routes.reserve(number + 1);
   world.claims.reserve(number + 1);
   // nothing throws from here on
-  statics.floors.push_back(std::move(floor)), world.ways.push_back(std::move(ways));
+  statics.floors.push_back(std::move(floor)), world.routes.push_back(std::move(routes));
   world.claims.emplace_back();
   std::swap(world.floor, floors);
   world.changed = true;
   return static_cast<std::uint32_t>(number);
 }
 
-Routes routes_among(const World& world, const StaticWorld& statics) {
-  Routes routes;
-  routes.floor = floors_of(world.fleet, statics);
-  routes.before.assign(statics.floors.size(), 0);
-  for (std::size_t rank = routes.floor.size(); rank > 0; --rank)
-    routes.before[routes.floor[rank - 1]] = world.floor_of(world.fleet.slot_of[rank - 1]);
+FloorRoutes routes_among(const World& world, const StaticWorld& statics) {
+  FloorRoutes planned;
+  planned.floor = floors_of(world.fleet, statics);
+  planned.before.assign(statics.floors.size(), 0);
+  for (std::size_t rank = planned.floor.size(); rank > 0; --rank)
+    planned.before[planned.floor[rank - 1]] = world.floor_of(world.fleet.slot_of[rank - 1]);
   for (std::size_t k = 0; k < statics.floors.size(); ++k)
-    routes.ways.emplace_back(way_rules_of(world.settings), statics.floors[k].walls,
-                             world.obstacles.resting(), &world.ways[routes.before[k]]);
-  if (has_ways(statics, routes.ways))
-    routes.travels = plan_travels(routes.ways, world.fleet, routes.floor,
-                                  world.settings.arrival_distance, world.travels);
-  for (Ways& ways : routes.ways) ways.forget_before();
-  return routes;
+    planned.routes.emplace_back(route_rules_of(world.settings), statics.floors[k].walls,
+                                world.obstacles.resting(), &world.routes[planned.before[k]]);
+  if (has_routes(statics, planned.routes))
+    planned.travels = plan_travels(planned.routes, world.fleet, planned.floor,
+                                   world.settings.arrival_distance, world.travels);
+  for (Routes& routes : planned.routes) routes.forget_before();
+  return planned;
 }
 
 // A robot that has another end than before has not stood near it.
-void adopt(World& world, Routes routes) noexcept {
+void adopt(World& world, FloorRoutes planned) noexcept {
   Fleet& fleet = world.fleet;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
     if (fleet.conduct[slot].parked) continue;
     const Vec2 goal = fleet.goal[slot];
     const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
-    const Vec2 end = routes.travels.empty() ? goal : routes.travels[rank].heads_for(goal);
+    const Vec2 end = planned.travels.empty() ? goal : planned.travels[rank].heads_for(goal);
     if (!(end == world.end_of(slot))) fleet.has_stood[slot] = 0;
   }
-  for (std::size_t k = 0; k < routes.ways.size(); ++k) {
-    const auto first = std::find(routes.before.begin(), routes.before.end(), routes.before[k]);
-    if (first == routes.before.begin() + static_cast<std::ptrdiff_t>(k))  // what is moved away
-      routes.ways[k].remember_passages(world.ways[routes.before[k]]);
+  for (std::size_t k = 0; k < planned.routes.size(); ++k) {
+    const auto first = std::find(planned.before.begin(), planned.before.end(), planned.before[k]);
+    if (first == planned.before.begin() + static_cast<std::ptrdiff_t>(k))  // what is moved away
+      planned.routes[k].remember_passages(world.routes[planned.before[k]]);
   }
-  world.ways = std::move(routes.ways);
-  world.floor = std::move(routes.floor);
-  world.travels = std::move(routes.travels);
+  world.routes = std::move(planned.routes);
+  world.floor = std::move(planned.floor);
+  world.travels = std::move(planned.travels);
   world.changed = world.has_new_goals = true;
 }
 
 void replace(World& world, StaticWorld statics) {
-  Routes routes = routes_among(world, statics);
+  FloorRoutes planned = routes_among(world, statics);
   world.claims.resize(std::max(world.claims.size(), statics.floors.size()));
   world.statics = std::move(statics);
-  adopt(world, std::move(routes));
+  adopt(world, std::move(planned));
 }
 
 }  // namespace avo::inline sim

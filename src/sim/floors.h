@@ -16,17 +16,17 @@ std::vector<std::uint32_t> floors_of(const Fleet& fleet, const StaticWorld& stat
 std::uint32_t floor_for(World& world, LayerSet robot);
 
 /// The maps of all floors of a static world, and the robots' routes there.
-struct Routes {
-  std::vector<Ways> ways;
+struct FloorRoutes {
+  std::vector<Routes> routes;
   std::vector<std::uint32_t> floor;  // see World
   std::vector<Travel> travels;
   std::vector<std::size_t> before;  // of each floor: the present floor of its first robot
 };
 /// The routes of the present fleet, which continue where they can.
-Routes routes_among(const World& world, const StaticWorld& statics);
+FloorRoutes routes_among(const World& world, const StaticWorld& statics);
 
 /// Takes the routes in place of the present ones.
-void adopt(World& world, Routes routes) noexcept;
+void adopt(World& world, FloorRoutes planned) noexcept;
 /// Replaces the static world for the same fleet.
 void replace(World& world, StaticWorld statics);
 

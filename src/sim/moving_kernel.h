@@ -15,7 +15,7 @@
 AVO_BEGIN_KERNELS
 
 template <typename Real>
-void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots) {
+void choose_preferred(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots) {
   static_assert(kTileRobots % Real::kLanes == 0);
   for (std::size_t k = 0; k < robots.count; k += Real::kLanes) {
     const auto load = [k](const auto& column) { return Real::load(&column[k]); };

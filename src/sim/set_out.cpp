@@ -48,8 +48,8 @@ void list_walls(const World& world, std::span<const std::uint32_t> slots, Worker
 }
 
 // Around walls: the heading to the next point of each robot's route, as passages allow.
-void follow_ways(const World& world, const Pace& pace, std::span<const Claims> claims,
-                 std::span<const std::uint32_t> slots, Worker& worker) {
+void follow_routes(const World& world, const Pace& pace, std::span<const Claims> claims,
+                   std::span<const std::uint32_t> slots, Worker& worker) {
   const double time_step = pace.planner.options().time_step;
   RobotColumns& robots = worker.tile.robots;
   if (world.fleet.has_footprints) robots.lookahead.assign(slots.size(), kInfinity);
@@ -60,7 +60,7 @@ void follow_ways(const World& world, const Pace& pace, std::span<const Claims> c
         nearest_of(worker.tile.robots.neighbors[k], world.fleet.position[slots[k]]);
     const std::size_t floor = world.floor_of(slots[k]);
     const Follower follower = follower_of(world, slots[k], lost, nearest);
-    const Headings found = guide(world.ways[floor], claims[floor], follower, time_step,
+    const Headings found = guide(world.routes[floor], claims[floor], follower, time_step,
                                  world.sensing_radius, *worker.travels[k], worker.legs);
     if (!world.shares_goal.empty()) worker.headings.push_back(found.by_route);
     worker.moving.goal_x[k] = found.heading.goal.x, worker.moving.goal_y[k] = found.heading.goal.y;
@@ -95,7 +95,7 @@ void aim_discs(const World& world, std::span<const std::uint32_t> slots, Worker&
                                   : worker.headings[k];
       const Seeker seeker = seeker_of(world, slot, heading, lost);
       Occupied& occupied = look_at_goal(seeker, worker.tile.robots.neighbors[k], worker);
-      const AtSharedGoal decided = at_shared_goal(seeker, occupied, world.ways_of(slot),
+      const AtSharedGoal decided = at_shared_goal(seeker, occupied, world.routes_of(slot),
                                                   worker.tile.walls_of(k), *worker.tile.detour[k]);
       if (decided.heads_for) {
         goal = *decided.heads_for, moving.preferred_speed[k] = heading.preferred_speed;
@@ -191,10 +191,10 @@ void set_out(const World& world, const Pace& pace, std::span<const Claims> claim
   if (robots.has_models) look_ahead(robots);
   lose_places(world, slots, worker);
   if (world.statics.has_walls) list_walls(world, slots, worker);
-  if (!world.travels.empty()) follow_ways(world, pace, claims, slots, worker);
+  if (!world.travels.empty()) follow_routes(world, pace, claims, slots, worker);
   if (robots.has_models || !world.shares_goal.empty() || !worker.lost.empty())
     aim_discs(world, slots, worker);
-  choose_ways(pace.response, worker.moving, robots);
+  choose_preferred(pace.response, worker.moving, robots);
   if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
   if (!fleet.told.empty()) take_told(fleet, slots, worker);
 }

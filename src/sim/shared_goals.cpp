@@ -90,7 +90,7 @@ class Sharing {
   Vec2 goal(std::size_t place) const { return goals_[slots_[place]]; }
   const Conduct& conduct(std::size_t place) const { return fleet_.conduct[slots_[place]]; }
   // Robots with footprints may both be at goals that are nearer than the discs that cover them.
-  double radius(std::size_t place) const { return fleet_.traits[slots_[place]].way_radius; }
+  double radius(std::size_t place) const { return fleet_.traits[slots_[place]].route_radius; }
   std::size_t rank(std::size_t place) const {
     return static_cast<std::size_t>(fleet_.rank[slots_[place]]);
   }
@@ -192,7 +192,7 @@ bool rests_at_place(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
   const bool is_kept_out =
       !world.travels.empty() &&
-      world.travels[static_cast<std::size_t>(fleet.rank[slot])].ends == WayEnd::short_of;
+      world.travels[static_cast<std::size_t>(fleet.rank[slot])].ends == RouteEnd::short_of;
   return !is_kept_out && fleet.has_stood[slot] != 0 && fleet.velocity[slot] == Vec2{} &&
          shares_room(world, slot);
 }

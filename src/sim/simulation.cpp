@@ -72,9 +72,9 @@ std::unique_ptr<Simulation::State> Simulation::State::of(const Scenario& scenari
   if (scenario.execution) references = with_references(scenario);
   auto state = std::make_unique<State>(references ? *references : scenario, std::move(executor));
   state->fleet.bases = bases_of(scenario);
-  if (state->has_ways())
+  if (state->has_routes())
     state->travels =
-        plan_travels(state->ways, state->fleet, state->floor, scenario.arrival_distance);
+        plan_travels(state->routes, state->fleet, state->floor, scenario.arrival_distance);
   return state;
 }
 
@@ -162,10 +162,10 @@ bool Simulation::is_at_goal(RobotId robot) const {
   const Vec2 p = place_now(*state_, slot), goal = state_->fleet.goal[slot];
   const std::vector<Travel>& travels = state_->travels;
   const auto rank = static_cast<std::size_t>(state_->fleet.rank[slot]);
-  const bool is_beside = !travels.empty() && travels[rank].ends == WayEnd::beside;
+  const bool is_beside = !travels.empty() && travels[rank].ends == RouteEnd::beside;
   const double slack = is_beside ? kBesideSlack * state_->fleet.traits[slot].radius : 0.0;
   if (norm(goal - p) <= state_->arrival_distance(slot) + slack &&
-      state_->ways_of(slot).is_in_sight(p, is_beside ? travels[rank].place : goal))
+      state_->routes_of(slot).is_in_sight(p, is_beside ? travels[rank].place : goal))
     return true;
   // so that goals are compared for few robots
   if (state_->fleet.has_stood[slot] == 0) return false;
@@ -194,7 +194,7 @@ std::vector<RobotId> Simulation::unreachable() const {
   std::vector<RobotId> robots;
   const std::vector<Travel>& travels = state_->travels;
   for (std::size_t rank = 0; rank < travels.size(); ++rank) {
-    if (travels[rank].ends == WayEnd::short_of)
+    if (travels[rank].ends == RouteEnd::short_of)
       robots.push_back(state_->fleet.id[state_->fleet.slot_of[rank]]);
   }
   return robots;

@@ -5,16 +5,16 @@
 
 namespace avo::inline sim {
 
-WayRules way_rules_of(const Scenario& settings) {
+RouteRules route_rules_of(const Scenario& settings) {
   return {.routes = settings.navigation.value_or(true),
           .passages = settings.right_of_way != RightOfWay::none};
 }
 
-bool has_ways(const StaticWorld& statics, std::span<const Ways> ways) {
-  return statics.has_walls || ways.front().goes_around_movers();
+bool has_routes(const StaticWorld& statics, std::span<const Routes> routes) {
+  return statics.has_walls || routes.front().goes_around_movers();
 }
 
-std::vector<Travel> plan_travels(std::span<Ways> ways, const Fleet& fleet,
+std::vector<Travel> plan_travels(std::span<Routes> routes, const Fleet& fleet,
                                  std::span<const std::uint32_t> floor, double arrival_distance,
                                  std::span<const Travel> before) {
   std::vector<Travel> travels;
@@ -25,7 +25,7 @@ std::vector<Travel> plan_travels(std::span<Ways> ways, const Fleet& fleet,
     travels.push_back(
         fleet.conduct[slot].parked
             ? Travel{}
-            : plan_anew(ways[floor.empty() ? 0 : floor[rank]], fleet.traits[slot].way_radius,
+            : plan_anew(routes[floor.empty() ? 0 : floor[rank]], fleet.traits[slot].route_radius,
                         fleet.position[slot], fleet.goal[slot],
                         fleet.own_arrival_distance(slot).value_or(arrival_distance), known));
   }

@@ -86,11 +86,11 @@ void find_passages(World& world, std::size_t floor) {
   std::vector<double> radii;
   for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
     if (!world.fleet.conduct[slot].parked && world.floor_of(slot) == floor)
-      radii.push_back(world.fleet.traits[slot].way_radius);
+      radii.push_back(world.fleet.traits[slot].route_radius);
   }
   std::sort(radii.begin(), radii.end());
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-  world.ways[floor].find_passages(std::move(radii));
+  world.routes[floor].find_passages(std::move(radii));
 }
 
 void start_clocks(World& world, const Scenario& scenario) {
@@ -130,7 +130,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
     senses.add(moment());
   }
   for (const Floor& own : statics.floors)
-    ways.emplace_back(way_rules_of(scenario), own.walls, obstacles.resting());
+    routes.emplace_back(route_rules_of(scenario), own.walls, obstacles.resting());
   floor = floors_of(fleet, statics);
   start_clocks(*this, scenario);
   senses.note(fleet, steps);
@@ -199,7 +199,7 @@ void find_walls(World& world) {
 void make_room(World& world) {
   std::size_t most = 0, targets = 0;
   for (const Floor& floor : world.statics.floors) most = std::max(most, floor.grid.most());
-  for (const Ways& ways : world.ways) targets = std::max(targets, ways.most_targets());
+  for (const Routes& routes : world.routes) targets = std::max(targets, routes.most_targets());
   for (Worker& worker : world.workers) {
     PlanWorkspace::Scratch::of(worker.workspace).reserve_walls(most_seen(world), most);
     worker.legs.targets.reserve(targets);
@@ -287,13 +287,13 @@ std::size_t World::most_nearest() const {
   return most ? static_cast<std::size_t>(*most) : std::numeric_limits<std::size_t>::max();
 }
 
-bool World::has_ways() const {
-  return avo::has_ways(statics, ways);
+bool World::has_routes() const {
+  return avo::has_routes(statics, routes);
 }
 
 bool World::has_passages() const {
-  return std::any_of(ways.begin(), ways.end(),
-                     [](const Ways& own) { return !own.passages.empty(); });
+  return std::any_of(routes.begin(), routes.end(),
+                     [](const Routes& own) { return !own.passages.empty(); });
 }
 
 bool World::is_fast(std::size_t slot) const {

@@ -13,7 +13,7 @@
 #include "core/executor.h"
 #include "core/stage_clock.h"
 #include "guidance/at_goal.h"
-#include "guidance/ways.h"
+#include "guidance/routes.h"
 #include "planner/stages/relevance.h"
 #include "planner/tile.h"
 #include "robots/motion.h"
@@ -111,7 +111,7 @@ struct World {
   ObstacleColumns obstacles;
   Senses senses;
   StaticWorld statics;
-  std::vector<Ways> ways;            // of each floor
+  std::vector<Routes> routes;        // of each floor
   std::vector<Claims> claims;        // of each floor's passages
   std::vector<std::uint32_t> floor;  // of each robot, by rank; empty where there is one
   std::vector<Travel> travels;       // by rank; empty without routes
@@ -169,9 +169,9 @@ struct World {
   std::size_t floor_of(std::size_t slot) const {
     return floor.empty() ? 0 : floor[static_cast<std::size_t>(fleet.rank[slot])];
   }
-  const Ways& ways_of(std::size_t slot) const { return ways[floor_of(slot)]; }
-  Ways& ways_of(std::size_t slot) { return ways[floor_of(slot)]; }
-  bool has_ways() const;
+  const Routes& routes_of(std::size_t slot) const { return routes[floor_of(slot)]; }
+  Routes& routes_of(std::size_t slot) { return routes[floor_of(slot)]; }
+  bool has_routes() const;
   bool has_passages() const;  // on some floor
   /// m: the final target of the robot, its goal or the nearest place to it.
   Vec2 end_of(std::size_t slot) const {

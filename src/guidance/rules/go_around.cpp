@@ -21,7 +21,7 @@ constexpr double kPatienceOfTwo = 8.0;
 
 void wait_on(Waiting& waiting, double left, const RobotTraits& traits, double time) {
   waiting.waited += time;
-  if (!(left < waiting.least - kComesNearer * traits.way_radius)) return;
+  if (!(left < waiting.least - kComesNearer * traits.route_radius)) return;
   waiting.least = left, waiting.waited = 0.0;
   waiting.looks_at = kPatience * unit_of_time(traits);
 }
@@ -31,13 +31,13 @@ double worth_waiting(double longer, const RobotTraits& traits) {
   return longer > 0.0 ? longer / traits.preferred_speed : 0.0;
 }
 
-bool has_two_lanes(const Ways& ways, const Passages::Crossing& next) {
-  return ways.passages[next.passage].two_lanes;
+bool has_two_lanes(const Routes& routes, const Passages::Crossing& next) {
+  return routes.passages[next.passage].two_lanes;
 }
 
 // A route around that gap as well, or around it alone where that leads nowhere.
-Travel way_around(const Travel& travel, const Segment& gap, Vec2 position, double radius,
-                  LegScratch& scratch) {
+Travel route_around(const Travel& travel, const Segment& gap, Vec2 position, double radius,
+                    LegScratch& scratch) {
   std::vector<Segment> closed = travel.waiting.closed;
   closed.push_back(gap);
   const bool is_first = closed.size() == 1;
@@ -49,22 +49,22 @@ Travel way_around(const Travel& travel, const Segment& gap, Vec2 position, doubl
   return other;
 }
 
-void look_for_another_way(const Ways& ways, const Follower& robot, Travel& travel,
-                          LegScratch& scratch) {
+void look_for_another_route(const Routes& routes, const Follower& robot, Travel& travel,
+                            LegScratch& scratch) {
   const RobotTraits& traits = robot.traits;
   const Vec2 p = robot.as_seen.position;
   Waiting& waiting = travel.waiting;
-  const auto next = gap_ahead(ways, travel, p);
+  const auto next = gap_ahead(routes, travel, p);
   const double time = unit_of_time(traits);
   if (!next) {
     waiting.looks_at = waiting.waited + kPatience * time;
     return;
   }
-  if (has_two_lanes(ways, *next) && waiting.waited < kPatienceOfTwo * time) {
+  if (has_two_lanes(routes, *next) && waiting.waited < kPatienceOfTwo * time) {
     waiting.looks_at = kPatienceOfTwo * time;
     return;
   }
-  Travel other = way_around(travel, next->gap, p, traits.way_radius, scratch);
+  Travel other = route_around(travel, next->gap, p, traits.route_radius, scratch);
   waiting.looks_at = other.is_known()
                          ? worth_waiting(length_of(other, p) - length_of(travel, p), traits)
                          : kInfinity;
@@ -74,7 +74,7 @@ void look_for_another_way(const Ways& ways, const Follower& robot, Travel& trave
 // Opens the gaps once the robot has come as near to its end as where it waited, and the shortest
 // route leads elsewhere.
 void open_again(const Follower& robot, Travel& travel, LegScratch& scratch) {
-  const double radius = robot.traits.way_radius;
+  const double radius = robot.traits.route_radius;
   const Vec2 p = robot.as_seen.position;
   if (length_of(travel, p) > travel.waiting.opens_at) return;
   Travel open = reopened(travel, p, radius, scratch);
@@ -85,12 +85,12 @@ void open_again(const Follower& robot, Travel& travel, LegScratch& scratch) {
 
 }  // namespace
 
-void go_around_held(const Ways& ways, const Follower& robot, double left, double time,
+void go_around_held(const Routes& routes, const Follower& robot, double left, double time,
                     Travel& travel, LegScratch& scratch) {
   if (!travel.is_known()) return;
   wait_on(travel.waiting, left, robot.traits, robot.rests ? 0.0 : time);
   if (travel.waiting.waited >= travel.waiting.looks_at)
-    look_for_another_way(ways, robot, travel, scratch);
+    look_for_another_route(routes, robot, travel, scratch);
   if (!travel.waiting.closed.empty() && robot.looks_around) open_again(robot, travel, scratch);
 }
 

@@ -17,15 +17,15 @@ constexpr double kForth = 0.75;
 
 }  // namespace
 
-bool goes_back(const Ways& ways, const Follower& robot, const Travel& travel) {
+bool goes_back(const Routes& routes, const Follower& robot, const Travel& travel) {
   const Waiting& waiting = travel.waiting;
   if (!travel.is_known() || waiting.looks_at < kInfinity || robot.rests) return false;
   const double waited = waiting.waited / (kSteadfast * unit_of_time(robot.traits));
   int power = 0;
   if (waited < 1.0 || std::frexp(waited, &power) >= kForth) return false;
   const Vec2 p = robot.as_seen.position;
-  return gap_ahead(ways, travel, p) &&
-         has_room_for_two(ways.passages, *travel.graph, *travel.map, p, travel.target);
+  return gap_ahead(routes, travel, p) &&
+         has_room_for_two(routes.passages, *travel.graph, *travel.map, p, travel.target);
 }
 
 }  // namespace avo::inline guidance

@@ -8,13 +8,13 @@ namespace avo::inline guidance {
 
 double unit_of_time(const RobotTraits& traits) {
   Robot robot;
-  robot.radius = traits.way_radius;
+  robot.radius = traits.route_radius;
   robot.max_speed = traits.max_speed, robot.max_acceleration = traits.max_acceleration;
   return time_to_speed(robot);
 }
 
-std::optional<Passages::Crossing> gap_ahead(const Ways& ways, const Travel& travel, Vec2 p) {
-  return next_gap(ways.passages, *travel.graph, *travel.map, p, travel.target);
+std::optional<Passages::Crossing> gap_ahead(const Routes& routes, const Travel& travel, Vec2 p) {
+  return next_gap(routes.passages, *travel.graph, *travel.map, p, travel.target);
 }
 
 }  // namespace avo::inline guidance

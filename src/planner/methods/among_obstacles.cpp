@@ -65,7 +65,7 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
                                 : Response::proportional(options.control_time);
   std::optional<Discs> discs;  // of a footprint
   if (has_footprint(robot.model)) discs = discs_of(robot, certificate_law(planner).step);
-  const double radius = discs ? way_radius(robot.model, robot.radius) : robot.radius;
+  const double radius = discs ? route_radius(robot.model, robot.radius) : robot.radius;
   bool overlapping = false;
   scratch.obstacles.clear();
   for (const Neighbor& obstacle : obstacles) {

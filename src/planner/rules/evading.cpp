@@ -132,7 +132,7 @@ double longest_way_out(const Robot& robot, const StepLaw& law) {
 std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& robot,
                                      const Sight& sight, EvasionWorkspace& workspace) {
   if (law.kind == Certificate::none) return std::nullopt;
-  Evading evading{law, robot, sight, workspace, {}, way_radius(robot.model, robot.radius)};
+  Evading evading{law, robot, sight, workspace, {}, route_radius(robot.model, robot.radius)};
   evading.options = {
       .law = law.step,
       .decrement = decrement_of(robot, law.step),

@@ -89,7 +89,7 @@ void add_margins(const PlannerOptions& options, const Tile& tile, TilePairs& pai
   for (std::size_t r = 0; r < robots.count; ++r) {
     const MotionModel* model = robots.model[r];
     const double radius =
-        model != nullptr ? way_radius(*model, robots.radius[r]) : robots.radius[r];
+        model != nullptr ? route_radius(*model, robots.radius[r]) : robots.radius[r];
     const auto own = [&](double margin) {
       return margin_on_way(margin, radius, robots.distance_to_goal[r]);
     };

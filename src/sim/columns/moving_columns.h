@@ -23,7 +23,7 @@ struct alignas(64) MovingColumns {
 };
 
 /// preferred_velocity() of all robots, and their distances from their goals.
-void choose_ways(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots);
+void choose_preferred(const StepResponse& step, const MovingColumns& moving, RobotColumns& robots);
 
 /// advance() of all robots, from v' on. Bit k is set where robot k then exceeds its max_speed.
 std::uint64_t advance(const StepResponse& response, MovingColumns& moving, RobotColumns& robots);

@@ -12,7 +12,7 @@ namespace avo::inline sim {
 
 RobotTraits traits_of(const RobotSetup& setup) {
   return {.radius = disc_radius(setup),
-          .way_radius = way_radius(setup.model, disc_radius(setup)),
+          .route_radius = route_radius(setup.model, disc_radius(setup)),
           .max_speed = setup.max_speed,
           .max_acceleration = setup.max_acceleration,
           .max_braking = braking_limit(setup),

@@ -135,15 +135,15 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
                                changed.arrival_distance != now.arrival_distance ||
                                floor != world.floor_of(slot);
   Travel travel;
-  if (world.has_ways() && moves_otherwise)
-    travel = world.ways[floor].plan(way_radius(changed.model, disc_radius(changed)),
-                                    fleet.position[slot], changed.goal,
-                                    arrival_distance_of(world.settings, changed));
+  if (world.has_routes() && moves_otherwise)
+    travel = world.routes[floor].plan(route_radius(changed.model, disc_radius(changed)),
+                                      fleet.position[slot], changed.goal,
+                                      arrival_distance_of(world.settings, changed));
   fleet.change(slot, changed, pace);
   if (!fleet.bases.are_exact()) fleet.bases.all[rank].radius = setup.radius;
   kind.becomes(fleet.setup(slot));
   if (!world.floor.empty()) world.floor[rank] = floor;
-  if (world.has_ways() && moves_otherwise) world.travels[rank] = std::move(travel);
+  if (world.has_routes() && moves_otherwise) world.travels[rank] = std::move(travel);
   note_late(world.bystanders, robot, fleet.position[slot]);  // there is room
   world.sensing_radius = sensing_radius;
   world.changed = world.has_new_goals = true;

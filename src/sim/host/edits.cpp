@@ -52,7 +52,7 @@ void join(World& world, const RobotSetup& setup, RobotId robot) {
 }
 
 void go_around_resting(World& world) {
-  if (world.obstacles.rest_as(world.ways.front().resting())) return;
+  if (world.obstacles.rest_as(world.routes.front().resting())) return;
   catch_up(world);
   adopt(world, routes_among(world, world.statics));
 }
@@ -82,16 +82,17 @@ RobotId add_reference(World& world, const RobotSetup& setup) {
   look_around_starts(world);
   check_newcomer(world, setup, robot);
   Travel travel;
-  if (world.has_ways()) {
-    travel = world.ways[floor].plan(way_radius(setup.model, disc_radius(setup)), disc_center(setup),
-                                    setup.goal, arrival_distance_of(world.settings, setup));
+  if (world.has_routes()) {
+    travel =
+        world.routes[floor].plan(route_radius(setup.model, disc_radius(setup)), disc_center(setup),
+                                 setup.goal, arrival_distance_of(world.settings, setup));
     reserve_one(world.travels);
   }
   if (!world.floor.empty()) reserve_one(world.floor);
   const double sensing_radius = sensing_radius_with(world, setup);
   join(world, setup, robot);
   if (!world.floor.empty()) world.floor.push_back(floor);  // there is room
-  if (world.has_ways()) world.travels.push_back(std::move(travel));
+  if (world.has_routes()) world.travels.push_back(std::move(travel));
   world.sensing_radius = sensing_radius;
   return robot;
 }
@@ -138,11 +139,11 @@ void set_goal(World& world, RobotId robot, Vec2 goal) {
     refuse(name_of(robot), "a goal for it", "one that is not parked");
   require(GoalOf{robot}, goal, "m");           // everything else was checked when the robot came
   if (goal == world.fleet.goal[slot]) return;  // it continues as before
-  if (world.has_ways()) {
+  if (world.has_routes()) {
     put_in_place(world, slot);
     world.travels[static_cast<std::size_t>(world.fleet.rank[slot])] =
-        world.ways_of(slot).plan(world.fleet.traits[slot].way_radius, world.fleet.position[slot],
-                                 goal, world.arrival_distance(slot));
+        world.routes_of(slot).plan(world.fleet.traits[slot].route_radius,
+                                   world.fleet.position[slot], goal, world.arrival_distance(slot));
   }
   world.fleet.goal[slot] = goal;
   world.has_new_goals = true;
@@ -169,10 +170,10 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   check_start(world, setup, robot);
   if (world.bystanders.is_made) world.bystanders.late.reserve(world.bystanders.late.size() + 1);
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
-  if (world.has_ways())
-    world.travels[rank] =
-        world.ways_of(slot).plan(way_radius(setup.model, disc_radius(setup)), disc_center(setup),
-                                 setup.goal, arrival_distance_of(world.settings, setup));
+  if (world.has_routes())
+    world.travels[rank] = world.routes_of(slot).plan(route_radius(setup.model, disc_radius(setup)),
+                                                     disc_center(setup), setup.goal,
+                                                     arrival_distance_of(world.settings, setup));
   note_late(world.bystanders, robot, disc_center(setup));  // there is room
   fleet.position[slot] = disc_center(setup);
   fleet.velocity[slot] = start_velocity(setup);

@@ -58,19 +58,19 @@ void check(World& world, std::size_t slot, const RobotSetup& changed,
 }
 
 // The routes of all robots once this robot is parked or free.
-Routes routes_with(const World& world, const StaticWorld& statics, std::size_t slot,
-                   const RobotSetup& changed) {
-  Routes routes = routes_among(world, statics);
+FloorRoutes routes_with(const World& world, const StaticWorld& statics, std::size_t slot,
+                        const RobotSetup& changed) {
+  FloorRoutes planned = routes_among(world, statics);
   const auto rank = static_cast<std::size_t>(world.fleet.rank[slot]);
   const std::size_t floor = changed.parked ? 0 : statics.floor_of(changed.layers).value_or(0);
-  if (!routes.floor.empty()) routes.floor[rank] = static_cast<std::uint32_t>(floor);
-  if (routes.travels.empty()) return routes;
-  routes.travels[rank] = {};
+  if (!planned.floor.empty()) planned.floor[rank] = static_cast<std::uint32_t>(floor);
+  if (planned.travels.empty()) return planned;
+  planned.travels[rank] = {};
   if (!changed.parked)
-    routes.travels[rank] = routes.ways[floor].plan(way_radius(changed.model, disc_radius(changed)),
-                                                   world.fleet.position[slot], changed.goal,
-                                                   arrival_distance_of(world.settings, changed));
-  return routes;
+    planned.travels[rank] = planned.routes[floor].plan(
+        route_radius(changed.model, disc_radius(changed)), world.fleet.position[slot], changed.goal,
+        arrival_distance_of(world.settings, changed));
+  return planned;
 }
 
 }  // namespace
@@ -82,14 +82,14 @@ void add_parked(World& world, const RobotSetup& setup, RobotId robot) {
   std::vector<Wall> parked = world.statics.parked;
   parked.push_back(own);
   StaticWorld statics = beside(world, std::move(parked), layers_of(world.fleet));
-  Routes routes = routes_among(world, statics);
-  routes.travels.reserve(world.fleet.size() + 1);
-  if (statics.floors.size() > 1) routes.floor.push_back(0);
+  FloorRoutes planned = routes_among(world, statics);
+  planned.travels.reserve(world.fleet.size() + 1);
+  if (statics.floors.size() > 1) planned.floor.push_back(0);
   world.claims.resize(std::max(world.claims.size(), statics.floors.size()));
   join(world, setup, robot);
-  routes.travels.emplace_back();  // there is room
+  planned.travels.emplace_back();  // there is room
   world.statics = std::move(statics);
-  adopt(world, std::move(routes));
+  adopt(world, std::move(planned));
 }
 
 void take_away_parked(World& world, std::size_t slot) {
@@ -106,7 +106,7 @@ void park_or_free(World& world, std::size_t slot, RobotSetup changed) {
   std::vector<LayerSet> layers = layers_of(fleet);
   if (!changed.parked) layers.push_back(changed.layers);
   StaticWorld statics = beside(world, fleet.parked_walls(slot, wall), layers);
-  Routes routes = routes_with(world, statics, slot, changed);
+  FloorRoutes planned = routes_with(world, statics, slot, changed);
   world.claims.resize(std::max(world.claims.size(), statics.floors.size()));
   fleet.change(slot, changed, pace);
   // nothing throws from here on
@@ -118,7 +118,7 @@ void park_or_free(World& world, std::size_t slot, RobotSetup changed) {
   forget(world.bystanders);
   world.statics = std::move(statics);
   world.sensing_radius = sensing_radius;
-  adopt(world, std::move(routes));
+  adopt(world, std::move(planned));
 }
 
 }  // namespace avo::inline sim

@@ -122,7 +122,7 @@ std::string complaint(const BrokenStart& start, const Scenario& scenario, const 
 
 std::string complaint(const WallStart& start, const Scenario& scenario, const Wording& wording) {
   const RobotSetup& setup = setup_of(scenario, start.robot);
-  const double own = way_radius(setup.model, disc_radius(setup));
+  const double own = route_radius(setup.model, disc_radius(setup));
   const double wall = scenario.obstacles[static_cast<std::size_t>(start.obstacle)].radius;
   const double margin = start.required - own - wall;
   const std::string name = wording.name_of(start.robot);

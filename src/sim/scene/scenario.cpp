@@ -225,7 +225,7 @@ void check_beside_walls(const Scenario& scenario, Certificate certificate) {
     const double time_step = time_step_of(scenario, robot);
     const double most = std::min(change_limit(robot) * time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * time_step;
-    const double radius = way_radius(robot.model, disc_radius(robot));
+    const double radius = route_radius(robot.model, disc_radius(robot));
     if (radius > height) continue;
     refuse(std::string(Place{"robots", i, "radius"}), text(radius),
            "> " + text(height) + " m beside obstacles, with a certificate: what a step of " +

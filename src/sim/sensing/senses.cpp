@@ -85,7 +85,7 @@ struct Encounter {
   const SensingModel& model() const { return observer.model(); }
 
   // Returns whether a measurement succeeds. At first no measurement fails: a start is known to all.
-  // behind: see Ways::is_in_sight().
+  // behind: see Routes::is_in_sight().
   bool succeeds(Vec2 from, Vec2 to, std::int64_t moment, const Wall*& behind) const {
     const World& world = observer.world;
     const double radius = world.sensing_radius;
@@ -93,7 +93,7 @@ struct Encounter {
     if (model().dropped > 0.0 && moment > first &&
         observer.draws(moment, other_id).uniform() < model().dropped)
       return false;
-    return !model().occlusion || world.ways_of(observer.own.slot).is_in_sight(from, to, behind);
+    return !model().occlusion || world.routes_of(observer.own.slot).is_in_sight(from, to, behind);
   }
 
   // The time of the last measurement that the observer has; place(moment): the place of the other

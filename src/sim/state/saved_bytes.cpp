@@ -137,8 +137,8 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   archive.size(state.stood, 1);
   for (std::uint64_t& id : state.stood) describe(archive, id);
   describe(archive, state.next_obstacle);
-  archive.size(state.ways, 1);
-  for (SavedWay& way : state.ways) describe(archive, way);
+  archive.size(state.routes, 1);
+  for (SavedRoute& way : state.routes) describe(archive, way);
   describe(archive, state.steps), describe(archive, state.next_id);
 
   archive.size(scene.moving_obstacles, kObstacleWords);

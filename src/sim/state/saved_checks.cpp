@@ -162,11 +162,11 @@ void check_states(const SavedState& state) {
   const bool moves = std::all_of(state.robots.begin(), state.robots.end(), is_finite_motion) &&
                      std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
   if (!moves) refuse_saved("a position or velocity that is not finite", "finite");
-  if (!std::all_of(state.ways.begin(), state.ways.end(),
-                   [](const SavedWay& way) { return is_finite(way.place); }))
+  if (!std::all_of(state.routes.begin(), state.routes.end(),
+                   [](const SavedRoute& way) { return is_finite(way.place); }))
     refuse_saved("the end of a way that is not finite", "finite");
-  if (!std::all_of(state.ways.begin(), state.ways.end(),
-                   [](const SavedWay& way) { return is_sound(way.waiting); }))
+  if (!std::all_of(state.routes.begin(), state.routes.end(),
+                   [](const SavedRoute& way) { return is_sound(way.waiting); }))
     refuse_saved("a wait that no robot can remember", "a sound one");
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     const std::size_t points =

@@ -10,7 +10,7 @@
 
 #include "avo/scenario.h"
 #include "avo/simulation.h"
-#include "guidance/ways.h"
+#include "guidance/routes.h"
 #include "robots/motion.h"
 #include "sim/bases/bases.h"
 #include "sim/sensing/senses.h"
@@ -35,11 +35,11 @@ struct SavedTold {
 };
 
 /// The part of a robot's route around walls that steps change.
-struct SavedWay {
+struct SavedRoute {
   std::uint32_t target = 0;    // see Travel
   bool is_exact = false;       // with the graph of the robot's own radius
   bool around_movers = false;  // with the graph around movers at rest
-  WayEnd ends = WayEnd::goal;
+  RouteEnd ends = RouteEnd::goal;
   Vec2 place = {};       // m, where it ends, if not at the goal
   Waiting waiting = {};  // without the map that is made from it
 };
@@ -65,7 +65,7 @@ struct SavedState {
   std::vector<SavedRobot> robots;  // by ascending id, as many as the scene has
   // in the order of the scene, as many as it has; without a path next_point is 0
   std::vector<PathWalk> obstacles;
-  std::vector<SavedWay> ways;  // of the robots; none without walls and movers at rest
+  std::vector<SavedRoute> routes;  // of the robots; none without walls and movers at rest
   std::uint64_t next_obstacle = 0;
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
   std::vector<std::int64_t> since;  // of the robots, see Senses; empty where they remember nothing

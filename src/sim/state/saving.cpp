@@ -175,7 +175,7 @@ Senses senses_of(const SavedState& state, const Fleet& fleet, double longest_ste
 }
 
 // Restores the time that it has waited, and the gaps that it goes around.
-void keep_waiting(const SavedWay& way, Vec2 position, double radius, LegScratch& scratch,
+void keep_waiting(const SavedRoute& way, Vec2 position, double radius, LegScratch& scratch,
                   Travel& travel) {
   if (!way.waiting.closed.empty() && travel.graph != nullptr) {
     travel = around(travel, position, radius, way.waiting.closed, scratch);
@@ -188,10 +188,10 @@ void keep_waiting(const SavedWay& way, Vec2 position, double radius, LegScratch&
 
 // Makes the routes with the saved targets: no robot searches for its route again.
 std::vector<Travel> travels_of(const SavedState& state, const StaticWorld& statics,
-                               std::span<Ways> ways, std::span<const std::uint32_t> floor) {
-  const std::size_t count = has_ways(statics, ways) ? state.robots.size() : 0;
-  if (state.ways.size() != count)
-    refuse("saved state", std::to_string(state.ways.size()) + " ways", std::to_string(count));
+                               std::span<Routes> routes, std::span<const std::uint32_t> floor) {
+  const std::size_t count = has_routes(statics, routes) ? state.robots.size() : 0;
+  if (state.routes.size() != count)
+    refuse("saved state", std::to_string(state.routes.size()) + " routes", std::to_string(count));
   std::vector<Travel> travels;
   travels.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -200,10 +200,10 @@ std::vector<Travel> travels_of(const SavedState& state, const StaticWorld& stati
       travels.emplace_back();
       continue;
     }
-    const SavedWay& way = state.ways[k];
-    const Vec2 end = way.ends == WayEnd::goal ? setup.goal : way.place;
-    Ways& own = ways[floor.empty() ? 0 : floor[k]];
-    const double radius = way_radius(setup.model, disc_radius(setup));
+    const SavedRoute& way = state.routes[k];
+    const Vec2 end = way.ends == RouteEnd::goal ? setup.goal : way.place;
+    Routes& own = routes[floor.empty() ? 0 : floor[k]];
+    const double radius = route_radius(setup.model, disc_radius(setup));
     Travel travel = own.resume(radius, end, way.target, way.is_exact,
                                way.around_movers && own.goes_around_movers());
     travel.ends = way.ends, travel.place = way.place;
@@ -240,12 +240,12 @@ SavedState saved_state(const World& world) {
       for (std::size_t k = 0; k < track.count; ++k) knots.push_back(track[k]);
     }
   }
-  state.ways.reserve(world.travels.size());
+  state.routes.reserve(world.travels.size());
   for (std::size_t rank = 0; rank < world.travels.size(); ++rank) {
     const Travel& travel = world.travels[rank];
-    const double radius = fleet.traits[fleet.slot_of[rank]].way_radius;
-    state.ways.push_back({travel.target, travel.graph && travel.graph->radius == radius,
-                          travel.around_movers, travel.ends, travel.place, travel.waiting});
+    const double radius = fleet.traits[fleet.slot_of[rank]].route_radius;
+    state.routes.push_back({travel.target, travel.graph && travel.graph->radius == radius,
+                            travel.around_movers, travel.ends, travel.place, travel.waiting});
   }
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
@@ -283,7 +283,7 @@ void restore(const SavedState& state, World& world) {
   Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
   ObstacleColumns obstacles = obstacles_of(state);
   std::optional<StaticWorld> statics;
-  std::vector<Ways> other_ways;
+  std::vector<Routes> other_routes;
   std::vector<Wall> parked = fleet.parked_walls();
   if (state.static_ids != world.statics.id || state.scene.obstacles != world.statics.obstacles ||
       !are_same(parked, world.statics.parked) || !has_floors(world.statics, fleet))
@@ -293,14 +293,14 @@ void restore(const SavedState& state, World& world) {
   std::vector<std::uint32_t> floor = floors_of(fleet, known);
   std::vector<Claims> claims(known.floors.size());
   std::vector<Wall> resting = obstacles.resting();
-  if (statics || !are_same(resting, world.ways.front().resting())) {
+  if (statics || !are_same(resting, world.routes.front().resting())) {
     for (const Floor& own : known.floors)
-      other_ways.emplace_back(way_rules_of(world.settings), own.walls, resting,
-                              &world.ways[world.statics.floor_of(own.layers).value_or(0)]);
+      other_routes.emplace_back(route_rules_of(world.settings), own.walls, resting,
+                                &world.routes[world.statics.floor_of(own.layers).value_or(0)]);
   }
-  std::vector<Ways>& ways = other_ways.empty() ? world.ways : other_ways;
-  std::vector<Travel> travels = travels_of(state, known, ways, floor);
-  for (Ways& own : other_ways) own.forget_before();
+  std::vector<Routes>& routes = other_routes.empty() ? world.routes : other_routes;
+  std::vector<Travel> travels = travels_of(state, known, routes, floor);
+  for (Routes& own : other_routes) own.forget_before();
   std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
   std::vector<Team> teams = state.scene.teams;
   // nothing throws from here on
@@ -314,7 +314,7 @@ void restore(const SavedState& state, World& world) {
   std::swap(world.claims, claims);
   std::swap(world.settings.teams, teams);
   if (statics) std::swap(world.statics, *statics);
-  if (!other_ways.empty()) std::swap(world.ways, other_ways);
+  if (!other_routes.empty()) std::swap(world.routes, other_routes);
   world.statics.next_id = state.next_obstacle;
   world.sensing_radius = state.sensing_radius;
   world.steps = state.steps;

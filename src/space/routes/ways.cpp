@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "guidance/ways.h"
+#include "guidance/routes.h"
 #include "space/own_space.h"
 #include "space/routes/tighten.h"
 

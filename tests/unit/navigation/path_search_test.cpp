@@ -148,7 +148,7 @@ TEST(PathSearch, is_of_use_after_an_edit_beside_the_way) {
       const CornerGraph now = corner_graph(edited, kRobotRadius, before, carried, joining);
       if (!carried) continue;
       const std::vector<Zone> changed = zones_for(*carried, now, *map, leg.length);
-      if (may_meet(changed, from, goal, leg.length * (1.0 + kWayRounding))) continue;
+      if (may_meet(changed, from, goal, leg.length * (1.0 + kRouteRounding))) continue;
       const PathMap left = carried_map(*map, leg.target, before, *carried, changed);
       if (!(left.settled < map->settled)) continue;
       ++edits;
@@ -184,7 +184,7 @@ TEST(PathSearch, tells_of_the_way_from_any_corner_what_the_whole_map_tells) {
     const PathMap whole = path_map(graph, goal.goal);
     PathScratch scratch;
     for (std::uint32_t k = 0; k < graph.corners(); ++k) {
-      const PathMap way = way_from(graph, goal, k, scratch);
+      const PathMap way = route_from(graph, goal, k, scratch);
       ASSERT_EQ(way.after(k), whole.after(k));
       ASSERT_EQ(length_from(graph, way, k), length_from(graph, whole, k));
       for (std::size_t place = 0; place < way.corners.size(); ++place) {

@@ -108,7 +108,7 @@ TEST_F(Moving, ways_are_those_of_each_robot) {
   for_random_tiles([&](const Planner& planner, const std::vector<Mover>& movers, Random&) {
     const StepResponse step = step_response(planner);
     Moved columns = columns_of(movers);
-    choose_ways(step, columns.moving, columns.robots);
+    choose_preferred(step, columns.moving, columns.robots);
     for (std::size_t k = 0; k < movers.size(); ++k) {
       const auto& [p, v, goal, traits] = movers[k];
       const Vec2 found{columns.robots.preferred_x[k], columns.robots.preferred_y[k]};

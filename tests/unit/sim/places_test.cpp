@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "guidance/ways.h"
+#include "guidance/routes.h"
 #include "perceived.h"
 #include "scenes.h"
 #include "support/generators.h"
@@ -106,13 +106,13 @@ TEST(Places, are_at_the_crowd_where_robots_at_rest_lead_to_the_goal) {
 
 TEST(Places, are_at_no_crowd_behind_a_wall) {
   const std::vector<Wall> walls = {{{-9, -1.2}, {9, -1.2}}};
-  const Ways ways(WayRules{}, walls, {});
+  const Routes routes(RouteRules{}, walls, {});
   const Seeker before = seeker_at({0, 1.8}), behind = seeker_at({0, -1.8});
   const std::vector<Neighbor> others = {one_at({0, 0})};
   Occupied seen = seen_by(before, others);
-  EXPECT_TRUE(is_at_crowd(before, seen, &ways));
+  EXPECT_TRUE(is_at_crowd(before, seen, &routes));
   seen = seen_by(behind, others);
-  EXPECT_FALSE(is_at_crowd(behind, seen, &ways));
+  EXPECT_FALSE(is_at_crowd(behind, seen, &routes));
 }
 
 // Round a corner they are as near to that as there is room.

@@ -190,15 +190,15 @@ TEST(SavedBytes, forged_ways_and_static_obstacles_are_refused) {
   Simulation simulation(scene, 1);
   const Bytes saved = simulation.save();
   const std::size_t robots = saved.size() / 8 - 1 - 3 * 20 - 1, movers = robots - 1;
-  const std::size_t ways = movers - 2 - 3 - 1, next_obstacle = ways - 1;
-  ASSERT_EQ(word(saved, ways), 3u);
+  const std::size_t routes = movers - 2 - 3 - 1, next_obstacle = routes - 1;
+  ASSERT_EQ(word(saved, routes), 3u);
   ASSERT_EQ(word(saved, next_obstacle), 1u);
   Bytes fewer = saved;
-  set_word(fewer, ways, 2);
-  fewer.erase(fewer.begin() + std::ptrdiff_t(8 * ways + 8),
-              fewer.begin() + std::ptrdiff_t(8 * ways + 16));
+  set_word(fewer, routes, 2);
+  fewer.erase(fewer.begin() + std::ptrdiff_t(8 * routes + 8),
+              fewer.begin() + std::ptrdiff_t(8 * routes + 16));
   seal(fewer);
-  EXPECT_EQ(refusal(simulation, fewer), "saved state: found 2 ways, must be 3");
+  EXPECT_EQ(refusal(simulation, fewer), "saved state: found 2 routes, must be 3");
   Bytes taken = saved;
   set_word(taken, next_obstacle, 0);
   seal(taken);
@@ -213,7 +213,7 @@ TEST(SavedBytes, forged_ways_and_static_obstacles_are_refused) {
   }
   for (const std::uint64_t target : {0ull, 7ull, 0xfffffffcull, 0xfffffffdull, 0xfffffffeull}) {
     Bytes odd = saved;
-    set_word(odd, ways + 1, target);
+    set_word(odd, routes + 1, target);
     seal(odd);
     expect_refused_or_sound(odd);
   }

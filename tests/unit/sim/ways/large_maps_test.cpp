@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "avo/simulation.h"
-#include "guidance/ways.h"
+#include "guidance/routes.h"
 #include "unit/sim/walled_scenes.h"
 
 namespace avo {

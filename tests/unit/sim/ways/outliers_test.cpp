@@ -93,7 +93,8 @@ struct Steps {
   World world;
 
   explicit Steps(const Scenario& scene) : world(scene, std::make_shared<SerialExecutor>()) {
-    if (world.has_ways()) world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
+    if (world.has_routes())
+      world.travels = plan_travels(world.routes, world.fleet, world.floor, 0.5);
   }
 
   void step() { avo::step(world); }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots follow their ways around walls.
-#include "guidance/ways.h"
-
+// Robots follow their routes around walls.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "avo/simulation.h"
+#include "guidance/routes.h"
 #include "sim/columns/fleet.h"
 #include "unit/sim/walled_scenes.h"
 
@@ -197,12 +196,12 @@ TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
   scene.robots = {test::robot_at({3, 7}, {17, 7}), test::robot_at({3, 8.1}, {0.5002, 8}),
                   test::robot_at({3, 2}, {7, 2})};
   for (RobotSetup& robot : scene.robots) robot.radius = radius;
-  Ways ways(WayRules{}, walls_of(scene.obstacles), {});
-  EXPECT_EQ(ways.plan(radius, {3, 7}, {17, 7}, 0.5).graph->radius, radius);
-  EXPECT_EQ(ways.plan(radius, {3, 8}, {0.5002, 8}, 0.5).graph->radius, radius);
-  EXPECT_EQ(ways.plan(radius, {3, 2}, {7, 2}, 0.5).graph->radius, 0.51);
-  EXPECT_EQ(ways.plan(0.504, {3, 2}, {7, 2}, 0.5).graph,
-            ways.plan(radius, {3, 2}, {7, 2}, 0.5).graph);
+  Routes routes(RouteRules{}, walls_of(scene.obstacles), {});
+  EXPECT_EQ(routes.plan(radius, {3, 7}, {17, 7}, 0.5).graph->radius, radius);
+  EXPECT_EQ(routes.plan(radius, {3, 8}, {0.5002, 8}, 0.5).graph->radius, radius);
+  EXPECT_EQ(routes.plan(radius, {3, 2}, {7, 2}, 0.5).graph->radius, 0.51);
+  EXPECT_EQ(routes.plan(0.504, {3, 2}, {7, 2}, 0.5).graph,
+            routes.plan(radius, {3, 2}, {7, 2}, 0.5).graph);
   Simulation simulation(scene, 1);
   EXPECT_TRUE(simulation.unreachable().empty());
   for (int k = 0; k < 20; ++k) simulation.step();
@@ -217,10 +216,10 @@ TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
 // A robot that others push to where its class has no room.
 TEST(Ways, FromBesideAWallThereIsAWay) {
   const Scenario scene = scene_among(test::two_rooms(2.0));
-  Ways ways(WayRules{}, walls_of(scene.obstacles), {});
+  Routes routes(RouteRules{}, walls_of(scene.obstacles), {});
   RobotSetup setup = test::robot_at({3, 9}, {11, 9});
   setup.radius = 0.5001;
-  Travel travel = ways.plan(setup.radius, setup.position, setup.goal, 0.5);
+  Travel travel = routes.plan(setup.radius, setup.position, setup.goal, 0.5);
   ASSERT_EQ(travel.graph->radius, 0.51);
   LegScratch scratch;
   const Vec2 place{9.4995, 9};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "guidance/ways.h"
+#include "guidance/routes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,13 +70,13 @@ double radius_class(double radius) {
   return rounded / (per_digit * scale);
 }
 
-Ways::Ways(WayRules rules, std::span<const Wall> walls, std::vector<Wall> resting,
-           const Ways* before)
+Routes::Routes(RouteRules rules, std::span<const Wall> walls, std::vector<Wall> resting,
+               const Routes* before)
     : rules_(rules), before_(before), resting_(std::move(resting)) {
   if (!walls.empty()) sight_.emplace(walls, kSightReach);
 }
 
-const CornerGraph& Ways::graph_of(GraphKey key) {
+const CornerGraph& Routes::graph_of(GraphKey key) {
   const auto known = graphs_.find(key);
   if (known != graphs_.end()) return *known->second;
   const CornerGraph* before = nullptr;
@@ -94,7 +94,7 @@ const CornerGraph& Ways::graph_of(GraphKey key) {
   return *graphs_.emplace(key, std::move(graph)).first->second;
 }
 
-ReachablePlaces& Ways::places_of(double radius) {
+ReachablePlaces& Routes::places_of(double radius) {
   const auto known = places_.find(radius);
   if (known != places_.end()) return *known->second;
   auto places = std::make_unique<ReachablePlaces>(sight_->walls(), radius);
@@ -102,7 +102,7 @@ ReachablePlaces& Ways::places_of(double radius) {
 }
 
 // The whole map, or the goal alone for a robot that searches for its own route.
-std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end, bool is_whole) {
+std::shared_ptr<const PathMap> Routes::map_to(GraphKey key, Vec2 end, bool is_whole) {
   const CornerGraph& graph = graph_of(key);
   AskedGoal& goal = maps_[{key.first, key.second, end.x, end.y}];
   std::shared_ptr<const PathMap> map = goal.map.lock();
@@ -129,14 +129,14 @@ std::shared_ptr<const PathMap> Ways::map_to(GraphKey key, Vec2 end, bool is_whol
   return map;
 }
 
-Travel Ways::lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool around_movers) {
+Travel Routes::lead(double radius, Vec2 position, Vec2 end, bool is_exact, bool around_movers) {
   Travel travel = resume(radius, end, PathMap::kNothing, is_exact, around_movers);
   if (travel.graph != nullptr) aim_at_best(travel, position, radius, scratch_);
   return travel;
 }
 
 // A route around movers at rest where possible, and otherwise around the walls alone.
-Travel Ways::lead(double radius, Vec2 position, Vec2 end) {
+Travel Routes::lead(double radius, Vec2 position, Vec2 end) {
   for (const bool is_exact : {false, true}) {
     if (!goes_around_movers() || (is_exact && radius_class(radius) == radius)) break;
     Travel travel = lead(radius, position, end, is_exact, true);
@@ -146,18 +146,18 @@ Travel Ways::lead(double radius, Vec2 position, Vec2 end) {
 }
 
 // The goal, or the nearest place to it; the robot's own place where it can reach nothing.
-Vec2 Ways::reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before) {
+Vec2 Routes::reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before) {
   ReachablePlaces& places = places_of(radius);
   const Vec2 nearest = places.nearest_reached(position, goal);
-  if (nearest == goal || before == nullptr || before->ends == WayEnd::goal) return nearest;
+  if (nearest == goal || before == nullptr || before->ends == RouteEnd::goal) return nearest;
   const Vec2 kept = before->place;
   const bool is_as_near = norm(kept - goal) <= norm(nearest - goal) + kLengthRounding * radius;
   const bool is_there = places.is_free(kept) && places.are_connected(position, kept);
   return is_as_near && is_there ? kept : nearest;
 }
 
-Travel Ways::plan(double radius, Vec2 position, Vec2 goal, double arrival_distance,
-                  const Travel* before) {
+Travel Routes::plan(double radius, Vec2 position, Vec2 goal, double arrival_distance,
+                    const Travel* before) {
   const Travel straight = lead(radius, position, goal);
   if (!sight_ || straight.target != PathMap::kNothing) return straight;
   const Vec2 end = reachable_end(radius, position, goal, before);
@@ -167,13 +167,13 @@ Travel Ways::plan(double radius, Vec2 position, Vec2 goal, double arrival_distan
     travel = lead(radius, position, end, true, false);
   if (is_there) return travel;
   const bool is_near = norm(end - goal) <= arrival_distance + kBesideSlack * radius;
-  travel.ends = is_near ? WayEnd::beside : WayEnd::short_of;
+  travel.ends = is_near ? RouteEnd::beside : RouteEnd::short_of;
   travel.place = end;
   return travel;
 }
 
-Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact,
-                    bool around_movers) {
+Travel Routes::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact,
+                      bool around_movers) {
   Travel travel;
   travel.target = target;
   if (!rules_.routes || !(sight_ || around_movers)) return travel;
@@ -187,8 +187,8 @@ Travel Ways::resume(double radius, Vec2 end, std::uint32_t target, bool is_exact
 
 // Keeps the route where all changes lie apart from all routes of the same length: all facts about
 // the old route still hold.
-std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, double radius) {
-  if (!before.is_known() || before.ends != WayEnd::goal || before.around_movers ||
+std::optional<Travel> Routes::carry_over(const Travel& before, Vec2 position, double radius) {
+  if (!before.is_known() || before.ends != RouteEnd::goal || before.around_movers ||
       goes_around_movers() || !before.waiting.closed.empty() ||
       before.graph->radius != radius_class(radius))  // a graph that a new route tries last
     return std::nullopt;
@@ -206,7 +206,7 @@ std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, doub
   const double length = norm(rest->first - position) + rest->second;
   if (!before.graph->grid.is_clear(position, rest->first, room)) return std::nullopt;
   const std::vector<Zone> changed = zones_for(*carried, graph, map, length);
-  if (may_meet(changed, position, map.goal, length * (1.0 + kWayRounding))) return std::nullopt;
+  if (may_meet(changed, position, map.goal, length * (1.0 + kRouteRounding))) return std::nullopt;
   Travel travel = before;
   travel.graph = &graph;
   travel.waiting.looks_at = look_again_at(before.waiting);
@@ -220,7 +220,7 @@ std::optional<Travel> Ways::carry_over(const Travel& before, Vec2 position, doub
   return travel;
 }
 
-std::size_t Ways::most_targets() const {
+std::size_t Routes::most_targets() const {
   std::size_t most = 0;
   for (const auto& [key, graph] : graphs_) {
     if (graph->lattice.empty()) most = std::max(most, graph->corners() + 1);
@@ -228,33 +228,33 @@ std::size_t Ways::most_targets() const {
   return most;
 }
 
-void Ways::find_passages(std::vector<double> radii) {
+void Routes::find_passages(std::vector<double> radii) {
   if (!sight_ || !rules_.routes || !rules_.passages || radii == passage_radii_) return;
   passages = Passages(sight_->walls(), radii, kClaimRange, std::exchange(earlier_, {}));
   passage_radii_ = std::move(radii);
 }
 
-bool Ways::is_in_sight(Vec2 p, Vec2 q) const {
+bool Routes::is_in_sight(Vec2 p, Vec2 q) const {
   return !sight_ || sight_->is_clear(p, q, kJoint);
 }
 
-bool Ways::is_in_sight(Vec2 p, Vec2 q, const Wall*& behind) const {
+bool Routes::is_in_sight(Vec2 p, Vec2 q, const Wall*& behind) const {
   if (!sight_) return true;
   if (behind == nullptr || !is_in_the_way(*behind, p, q, kJoint))
     behind = sight_->in_the_way(p, q, kJoint);
   return behind == nullptr;
 }
 
-Travel plan_anew(Ways& ways, double radius, Vec2 position, Vec2 goal, double arrival_distance,
+Travel plan_anew(Routes& routes, double radius, Vec2 position, Vec2 goal, double arrival_distance,
                  const Travel* before) {
   if (before != nullptr) {
-    std::optional<Travel> carried = ways.carry_over(*before, position, radius);
+    std::optional<Travel> carried = routes.carry_over(*before, position, radius);
     if (carried) return std::move(*carried);
   }
-  Travel travel = ways.plan(radius, position, goal, arrival_distance, before);
+  Travel travel = routes.plan(radius, position, goal, arrival_distance, before);
   if (before == nullptr) return travel;
-  keep_waiting_on(*before, position, radius, travel, ways.scratch());
-  return replanned(*before, std::move(travel), position, radius, ways.scratch());
+  keep_waiting_on(*before, position, radius, travel, routes.scratch());
+  return replanned(*before, std::move(travel), position, radius, routes.scratch());
 }
 
 }  // namespace avo::inline guidance

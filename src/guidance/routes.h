@@ -28,26 +28,26 @@ namespace avo::inline guidance {
 double radius_class(double radius);
 
 /// What robots heed of walls.
-struct WayRules {
+struct RouteRules {
   bool routes = true;    // they follow routes around walls
   bool passages = true;  // with routes: they keep the rules at passages
 };
 
 /// What robots know of the walls, and of movers at rest; routes lead around movers where possible.
 /// Without walls and movers at rest there are no routes.
-class Ways {
+class Routes {
  public:
   /// resting: discs. Earlier routes among mostly the same walls save time; they must stay alive
   /// while new routes are planned.
-  Ways(WayRules rules, std::span<const Wall> walls, std::vector<Wall> resting,
-       const Ways* before = nullptr);
+  Routes(RouteRules rules, std::span<const Wall> walls, std::vector<Wall> resting,
+         const Routes* before = nullptr);
 
   [[nodiscard]] bool empty() const { return !sight_ && !goes_around_movers(); }
   [[nodiscard]] const std::vector<Wall>& resting() const { return resting_; }
   [[nodiscard]] bool goes_around_movers() const { return rules_.routes && !resting_.empty(); }
   void forget_before() { before_ = nullptr, carried_.clear(); }
   /// Keeps the passages of other walls, from which those of these walls are found sooner.
-  void remember_passages(Ways& before) noexcept {
+  void remember_passages(Routes& before) noexcept {
     earlier_ = std::move(before.passage_radii_.empty() ? before.earlier_ : before.passages);
   }
   /// Plans a new route; robots of one radius class and one goal share its data. A route that ended
@@ -87,8 +87,8 @@ class Ways {
   Travel lead(double radius, Vec2 position, Vec2 end);
   Vec2 reachable_end(double radius, Vec2 position, Vec2 goal, const Travel* before);
 
-  WayRules rules_;
-  const Ways* before_ = nullptr;  // until forget_before()
+  RouteRules rules_;
+  const Routes* before_ = nullptr;  // until forget_before()
   std::optional<ClearanceGrid> sight_;
   std::vector<Wall> resting_;
   std::map<GraphKey, std::unique_ptr<const CornerGraph>> graphs_;
@@ -109,7 +109,7 @@ class Ways {
 
 /// Plans the robot's route. before: its route among other walls, if any. The robot keeps its target
 /// if it would set out as before, and has as far to go from there.
-Travel plan_anew(Ways& ways, double radius, Vec2 position, Vec2 goal, double arrival_distance,
+Travel plan_anew(Routes& routes, double radius, Vec2 position, Vec2 goal, double arrival_distance,
                  const Travel* before);
 
 }  // namespace avo::inline guidance
