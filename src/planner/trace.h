@@ -73,7 +73,7 @@ struct Recorder {
   /// The constraints refuse that step of a robot that flies.
   void is_refused(const Robot& robot, const FlightConstraints& constraints,
                   const FlightStep& step) const;
-  /// keep_a_way_out() has judged the plan.
+  /// keep_evasion() has judged the plan.
   void evades(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
               EvasionWorkspace& workspace, const Plan& plan) const;
 };

@@ -225,8 +225,8 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
   const bool is_certified = options.certificate != Certificate::none;
   const bool is_alone = scratch.looked.seen.count == 0;
   const Sight sight{around.movers, around.boxes, is_alone && !options.never_swerves};
-  const bool evades = is_certified && keep_a_way_out(options, law, robot, sight, scratch.ways,
-                                                     scratch.choice, choice.next_velocity);
+  const bool evades = is_certified && keep_evasion(options, law, robot, sight, scratch.evasions,
+                                                   scratch.choice, choice.next_velocity);
   if (evades) choice.chosen = Chosen::candidate;
   Plan plan = plan_to(robot.velocity, choice.next_velocity, law);
   plan.violation = target.violation;

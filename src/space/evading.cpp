@@ -50,19 +50,19 @@ Predicted predicted(const Evading& evading, const Mover& mover, const Level& lev
 
 // s, until an evasive maneuver brakes: long enough to leave the strip of the widest moving
 // obstacle.
-double longest_way(const Robot& robot, std::span<const Mover> movers, const StepLaw& law) {
+double longest_beside(const Robot& robot, std::span<const Mover> movers, const StepLaw& law) {
   const double time = time_to_evade(robot);
   double contact = 0.0;  // m
   for (const Mover& mover : movers) contact = std::max(contact, robot.radius + mover.radius);
   const double wide = time + 2.0 * contact / robot.max_speed;
-  return std::min(std::clamp(wide, kLongestWay * time, kWideWay * time),
-                  kMostWaySteps * law.time_step);
+  return std::min(std::clamp(wide, kLongestEvasion * time, kWideEvasion * time),
+                  kMostEvasionSteps * law.time_step);
 }
 
 }  // namespace
 
 void look_around(Evading& evading, const Level& level) {
-  WaySearch& search = evading.search;
+  EvasionSearch& search = evading.search;
   search.work = kMostWork;
   // the certificate counts on that much, in spite of rounding
   constexpr double kWithin = 1.0 - 0x1p-48;
@@ -71,11 +71,11 @@ void look_around(Evading& evading, const Level& level) {
   search.others.clear();
   for (const Mover& mover : evading.sight.movers)
     search.others.push_back(predicted(evading, mover, level));
-  begin_ways(search);
+  begin_evasions(search);
 }
 
 std::optional<Evading> begin_evading(const PlannerOptions& options, const StepLaw& law,
-                                     const Robot& robot, const Sight& sight, WaySearch& search,
+                                     const Robot& robot, const Sight& sight, EvasionSearch& search,
                                      ChoiceWorkspace& workspace) {
   const double own = std::max(robot.max_speed, own_length(robot.velocity, robot.vertical));
   const double decrement = braking_limit(robot) * law.braking_time;
@@ -83,7 +83,7 @@ std::optional<Evading> begin_evading(const PlannerOptions& options, const StepLa
   search.law = law;
   search.robot = robot;
   search.max_speed = fastest_of(robot);
-  search.longest = longest_way(robot, sight.movers, law);
+  search.longest = longest_beside(robot, sight.movers, law);
   const double range = std::max((1.0 + 1e-9) * box_reach(robot, law), options.wall_range);
   search.boxes.clear();
   for (const Box& box : sight.boxes) {
@@ -97,7 +97,7 @@ std::optional<Evading> begin_evading(const PlannerOptions& options, const StepLa
 }
 
 double evasion_range(const Robot& robot) {
-  return (kWideWay + 0.5) * time_to_evade(robot) * fastest_of(robot);
+  return (kWideEvasion + 0.5) * time_to_evade(robot) * fastest_of(robot);
 }
 
 }  // namespace avo::space

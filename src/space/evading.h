@@ -9,7 +9,7 @@
 #include "avo/space/mover.h"
 #include "planner/rules/levels.h"
 #include "space/choice.h"
-#include "space/ways_out.h"
+#include "space/evasions.h"
 
 namespace avo::space {
 
@@ -25,14 +25,14 @@ struct Evading {
   const StepLaw& law;
   const Robot& robot;
   const Sight& sight;
-  WaySearch& search;
+  EvasionSearch& search;
   ChoiceWorkspace& workspace;
   double braking = 0.0;  // s, the longest time of braking
 };
 
 /// None for robots that have no evasive maneuvers, since they brake for too long.
 std::optional<Evading> begin_evading(const PlannerOptions& options, const StepLaw& law,
-                                     const Robot& robot, const Sight& sight, WaySearch& search,
+                                     const Robot& robot, const Sight& sight, EvasionSearch& search,
                                      ChoiceWorkspace& workspace);
 /// Predicts all moving obstacles, and begins evasive maneuvers of that level.
 void look_around(Evading& evading, const Level& level);

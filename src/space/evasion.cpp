@@ -85,7 +85,7 @@ bool is_allowed(Evading& evading, Vec3 next) {
 
 // Returns the steps, nearest to the wanted velocity first.
 FirstSteps first_steps(const Evading& evading, Vec3 wanted) {
-  const WayState now{{}, evading.robot.velocity, 0.0};
+  const EvasionState now{{}, evading.robot.velocity, 0.0};
   FirstSteps steps;
   for (std::size_t k = 0; k < kVelocities.size(); ++k) {
     const Vec3 w = velocity_of(evading.robot, k);
@@ -104,8 +104,8 @@ FirstSteps first_steps(const Evading& evading, Vec3 wanted) {
 }
 
 // Returns whether an evasive maneuver is clear after that step, (M).
-bool has_way_after(Evading& evading, Vec3 next_velocity) {
-  WaySearch& search = evading.search;
+bool has_evasion_after(Evading& evading, Vec3 next_velocity) {
+  EvasionSearch& search = evading.search;
   if (!take_first_step(search, next_velocity)) return false;
   if (may_brake(search) || may_approach(search, search.after.velocity)) return true;
   for (std::size_t k = 0; k < kVelocities.size(); ++k)
@@ -141,41 +141,42 @@ bool find_beside(Evading& evading, const FirstSteps& steps, Vec3& found) {
     if (!is_within_limits(evading, step.next_velocity) || !is_clear(evading, step)) continue;
     const Vec3 v =
         choose(evading.robot, step.next_velocity, evading.law, evading.workspace).next_velocity;
-    if (!is_allowed(evading, v) || !has_way_after(evading, v)) continue;
+    if (!is_allowed(evading, v) || !has_evasion_after(evading, v)) continue;
     found = v;
     return true;
   }
   return false;
 }
 
-WayFound find_way(Evading& evading, const Level& level, Vec3 wanted, Vec3& found) {
+EvasionFound find_evasion(Evading& evading, const Level& level, Vec3 wanted, Vec3& found) {
   look_around(evading, level);
-  if (has_way_after(evading, wanted)) return WayFound::as_wanted;
+  if (has_evasion_after(evading, wanted)) return EvasionFound::as_wanted;
   const FirstSteps steps = first_steps(evading, wanted);
   for (const FirstStep& step : steps) {
     if (!may_take(evading, step)) continue;
     found = nearer(evading, step, wanted);
-    return WayFound::another;
+    return EvasionFound::another;
   }
-  return find_beside(evading, steps, found) ? WayFound::another : WayFound::none;
+  return find_beside(evading, steps, found) ? EvasionFound::another : EvasionFound::none;
 }
 
-WayFound find_way_in_order(Evading& evading, std::span<const Level> levels, Vec3 wanted,
-                           Vec3& found) {
+EvasionFound find_evasion_in_order(Evading& evading, std::span<const Level> levels, Vec3 wanted,
+                                   Vec3& found) {
   for (const Level& level : levels) {
-    const WayFound way = find_way(evading, level, wanted, found);
-    if (way != WayFound::none) return way;
+    const EvasionFound outcome = find_evasion(evading, level, wanted, found);
+    if (outcome != EvasionFound::none) return outcome;
   }
-  return WayFound::none;
+  return EvasionFound::none;
 }
 
 // Nearly always the first level has one; where the weakest has none, hardly any other has one.
-WayFound find_way_by_levels(Evading& evading, Vec3 wanted, Vec3& found) {
+EvasionFound find_evasion_by_levels(Evading& evading, Vec3 wanted, Vec3& found) {
   const std::span<const Level> levels = kLevels;
-  const WayFound way = find_way(evading, levels.front(), wanted, found);
-  if (way != WayFound::none || find_way(evading, levels.back(), wanted, found) == WayFound::none)
-    return way;
-  return find_way_in_order(evading, levels.subspan(1), wanted, found);
+  const EvasionFound outcome = find_evasion(evading, levels.front(), wanted, found);
+  if (outcome != EvasionFound::none ||
+      find_evasion(evading, levels.back(), wanted, found) == EvasionFound::none)
+    return outcome;
+  return find_evasion_in_order(evading, levels.subspan(1), wanted, found);
 }
 
 // Returns whether all moving obstacles are seen exactly, and surely keep their acceleration.
@@ -188,9 +189,9 @@ bool are_exact(const Evading& evading) {
 
 }  // namespace
 
-bool keep_a_way_out(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
-                    const Sight& sight, WaySearch& search, ChoiceWorkspace& workspace,
-                    Vec3& next_velocity) {
+bool keep_evasion(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
+                  const Sight& sight, EvasionSearch& search, ChoiceWorkspace& workspace,
+                  Vec3& next_velocity) {
   if (sight.movers.empty()) return false;
   std::optional<Evading> begun = begin_evading(options, law, robot, sight, search, workspace);
   if (!begun) return false;
@@ -202,12 +203,13 @@ bool keep_a_way_out(const PlannerOptions& options, const StepLaw& law, const Rob
   MoverConstraints& of_movers = workspace.constraints.movers;
   of_movers.counts = false;
   Vec3 found;
-  WayFound way = find_way_by_levels(evading, wanted, found);
-  if (way == WayFound::none && sight.may_swerve && are_exact(evading))
-    way = find_way_in_order(evading, kLastLevels, wanted, found);
-  if (way == WayFound::none) way = find_way_in_order(evading, kForAWhile, wanted, found);
+  EvasionFound outcome = find_evasion_by_levels(evading, wanted, found);
+  if (outcome == EvasionFound::none && sight.may_swerve && are_exact(evading))
+    outcome = find_evasion_in_order(evading, kLastLevels, wanted, found);
+  if (outcome == EvasionFound::none)
+    outcome = find_evasion_in_order(evading, kForAWhile, wanted, found);
   of_movers.counts = true;
-  if (way != WayFound::another) return false;
+  if (outcome != EvasionFound::another) return false;
   next_velocity = found;
   return true;
 }

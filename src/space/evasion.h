@@ -9,8 +9,8 @@ namespace avo::space {
 /// Replaces the choice by the nearest first step of an evasive maneuver, where the choice leaves
 /// none and there is one. choice_workspace: after begin_constraints(). Returns whether it has
 /// replaced it.
-bool keep_a_way_out(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
-                    const Sight& sight, WaySearch& search, ChoiceWorkspace& choice_workspace,
-                    Vec3& next_velocity);
+bool keep_evasion(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
+                  const Sight& sight, EvasionSearch& search, ChoiceWorkspace& choice_workspace,
+                  Vec3& next_velocity);
 
 }  // namespace avo::space

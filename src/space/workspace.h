@@ -6,9 +6,9 @@
 #include "avo/space/planner.h"
 #include "space/bodies.h"
 #include "space/choice.h"
+#include "space/evasions.h"
 #include "space/half_spaces.h"
 #include "space/look.h"
-#include "space/ways_out.h"
 
 namespace avo::space {
 
@@ -20,7 +20,7 @@ struct PlanWorkspace::Scratch {
   bool has_all = false;                       ///< whether these are all that can cut
   std::vector<HalfSpace> speeds, own_speeds;  ///< of boxes; and all hard ones, in its own space
   ChoiceWorkspace choice;
-  WaySearch ways;                    ///< out, beside moving obstacles
+  EvasionSearch evasions;            ///< out, beside moving obstacles
   std::vector<HalfSpace> of_movers;  ///< in space
 };
 

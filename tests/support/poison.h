@@ -249,12 +249,12 @@ class Poison {
   void spoil(KeptWall& wall) const { each(wall.segment, wall.kept, wall.clear_until); }
   void spoil(Surroundings& around) const {
     auto& [others, trajectories, walls, clear_now, clear_after, clear_until, after, last, brakes_at,
-           intervals, brakings, discs, in_the_way, work] = around;
+           intervals, brakings, discs, refused_by, work] = around;
     for (KnownInterval& known : intervals) spoil(known.path.end);
     static_cast<void>(brakings);  // no interval belongs to a path that is still to come
     for (Hull& disc : discs.moving) each(disc.start, disc.middle, disc.end, disc.bend);
     for (BrakingDisc& disc : discs.braking) each(disc.offset, disc.grown);
-    each(in_the_way, others, trajectories, walls, clear_now, clear_after, clear_until,
+    each(refused_by, others, trajectories, walls, clear_now, clear_after, clear_until,
          after.position, after.velocity, after.time, after.heading, last.position, last.velocity,
          last.time, brakes_at, work);
   }

@@ -19,7 +19,7 @@ SAME = {
     "Check", "CheckedRobot", "CheckedState", "Detour", "Metrics", "MovingObstacle", "Neighbor", "OutOfReach", "Plan",
     "PlanWorkspace", "Planner", "Robot", "RobotSetup", "Scenario", "Simulation", "Route", "CheckedMover", "BrakingVerdict", "Crossing",
     "Deciding", "Evading", "FirstStep", "FullBraking", "Node", "Observer", "PastState", "Plane", "Reached", "Senses", "Sight", "Then",
-    "Traffic", "WayState", "WayStep"}
+    "Traffic", "EvasionState", "EvasionStep"}
 
 
 def several(texts):

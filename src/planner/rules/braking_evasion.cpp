@@ -95,8 +95,8 @@ FirstSteps first_steps(const Evading& evading, Vec2 wanted) {
 }
 
 // Finds an evasive maneuver that is clear after that step, (M).
-std::optional<Evasion> find_way_after(Evading& evading, Vec2 next_velocity) {
-  const WayOptions& options = evading.options;
+std::optional<Evasion> find_evasion_after(Evading& evading, Vec2 next_velocity) {
+  const EvasionOptions& options = evading.options;
   Surroundings& around = evading.workspace.around;
   if (!take_first_step(options, around, evading.now(), next_velocity)) return std::nullopt;
   const Vec2 after = around.after.velocity;
@@ -151,9 +151,9 @@ bool find_beside(Evading& evading, const FirstSteps& steps, Taken& found) {
     const Vec2 v =
         choose_certified(evading.robot, step.next_velocity, evading.law, without_movers(evading))
             .next_velocity;
-    const auto way = is_allowed(evading, v) ? find_way_after(evading, v) : std::nullopt;
-    if (!way) continue;
-    found = {v, *way};
+    const auto evasion = is_allowed(evading, v) ? find_evasion_after(evading, v) : std::nullopt;
+    if (!evasion) continue;
+    found = {v, *evasion};
     return true;
   }
   return false;
@@ -167,21 +167,21 @@ bool may_brake_after_choice(Evading& evading, Vec2 next_velocity) {
          may_brake(evading.options, around);
 }
 
-bool has_clear_way(Evading& evading) {
+bool has_clear_evasion(Evading& evading) {
   const FirstSteps steps = first_steps(evading, evading.robot.velocity);
   return std::any_of(steps.begin(), steps.end(),
                      [&](const FirstStep& step) { return is_clear(evading, step); });
 }
 
-WayFound find_braking_way(Evading& evading, Vec2 wanted, Taken& found) {
-  if (find_way_after(evading, wanted)) return WayFound::as_wanted;
+EvasionFound find_braking_evasion(Evading& evading, Vec2 wanted, Taken& found) {
+  if (find_evasion_after(evading, wanted)) return EvasionFound::as_wanted;
   const FirstSteps steps = first_steps(evading, wanted);
   for (const FirstStep& step : steps) {
     if (!may_take(evading, step)) continue;
     found = nearer(evading, step, wanted);
-    return WayFound::another;
+    return EvasionFound::another;
   }
-  return find_beside(evading, steps, found) ? WayFound::another : WayFound::none;
+  return find_beside(evading, steps, found) ? EvasionFound::another : EvasionFound::none;
 }
 
 }  // namespace avo::inline planner

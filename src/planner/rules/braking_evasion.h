@@ -11,9 +11,9 @@ bool may_brake_after_choice(Evading& evading, Vec2 next_velocity);
 
 /// Finds the choice nearest to the wanted choice that the certificate admits and that leaves an
 /// evasive maneuver, (M).
-WayFound find_braking_way(Evading& evading, Vec2 wanted, Taken& found);
+EvasionFound find_braking_evasion(Evading& evading, Vec2 wanted, Taken& found);
 
 /// Returns whether some evasive maneuver is clear, (M).
-bool has_clear_way(Evading& evading);
+bool has_clear_evasion(Evading& evading);
 
 }  // namespace avo::inline planner

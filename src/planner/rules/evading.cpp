@@ -96,19 +96,19 @@ void follow_trajectories(Evading& evading) {
 
 // s, until an evasive maneuver brakes or circles, for any neighbors.
 double longest_of_all(const Robot& robot) {
-  return (can_rest(robot.model) ? kWideWay : kLongFlight) * time_to_evade(robot);
+  return (can_rest(robot.model) ? kWideEvasion : kLongFlight) * time_to_evade(robot);
 }
 
 // s, until an evasive maneuver brakes: long enough to leave the strip of the widest neighbor. Until
 // a robot circles: long enough to pass by, since all of its circle must be clear then.
-double longest_way(const Robot& robot, std::span<const Neighbor> neighbors) {
+double longest_beside(const Robot& robot, std::span<const Neighbor> neighbors) {
   if (!can_rest(robot.model)) return longest_of_all(robot);
   const double time = time_to_evade(robot);
   double contact = 0.0;  // m
   for (const Neighbor& neighbor : neighbors)
     if (!decides(neighbor)) contact = std::max(contact, robot.radius + neighbor.radius);
   const double wide = time + 2.0 * contact / robot.max_speed;
-  return std::clamp(wide, kLongestWay * time, kWideWay * time);
+  return std::clamp(wide, kLongestEvasion * time, kWideEvasion * time);
 }
 
 // s: the braking time of a robot of that speed, plus a step and rounding.
@@ -123,8 +123,8 @@ double evasion_range(const Robot& robot) {
          room_to_turn(robot.model, robot.max_speed);
 }
 
-double longest_way_out(const Robot& robot, const StepLaw& law) {
-  const double longest = std::min(longest_of_all(robot), kMostWaySteps * law.time_step);
+double longest_evasion(const Robot& robot, const StepLaw& law) {
+  const double longest = std::min(longest_of_all(robot), kMostEvasionSteps * law.time_step);
   const double braking = braking_time_of(robot, fastest_of(robot, robot.max_speed), law);
   return longest + law.time_step + std::min(braking, kMostBraking * law.time_step);
 }
@@ -137,7 +137,8 @@ std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& rob
       .law = law.step,
       .decrement = decrement_of(robot, law.step),
       .max_speed = fastest_of(robot, std::max(robot.max_speed, norm(robot.velocity))),
-      .longest = std::min(longest_way(robot, sight.neighbors), kMostWaySteps * law.step.time_step),
+      .longest =
+          std::min(longest_beside(robot, sight.neighbors), kMostEvasionSteps * law.step.time_step),
       .wheels = is_holonomic(robot.model) ? nullptr : &robot};
   if (const Footprint footprint = footprint_of(robot.model)) {
     evading.options.footprint = footprint;
@@ -163,7 +164,7 @@ void look_around(Evading& evading, const Level& level) {
     around.others.push_back(predicted(evading, neighbor, level, trajectory));
     if (neighbor.trajectory != nullptr) ++trajectory;
   }
-  begin_ways(evading.options, around);
+  begin_evasions(evading.options, around);
 }
 
 void keep_walls(Evading& evading) {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "certificate/evasions.h"
 #include "certificate/fallback_areas.h"
-#include "certificate/ways.h"
 #include "planner/decision.h"
 #include "planner/rules/levels.h"
 #include "planner/stages/certified.h"
@@ -40,18 +40,18 @@ struct Evading {
   const Robot& robot;
   Sight sight;
   EvasionWorkspace& workspace;
-  WayOptions options;
+  EvasionOptions options;
   double radius = 0.0;           // m, of the robot's disc, or of each disc of its footprint
   double braking = 0.0;          // s, the longest time of braking
   bool has_constraints = false;  // whether the workspace has constraints
 
-  WayState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
+  EvasionState now() const { return {{}, robot.velocity, 0.0, robot.heading}; }
 };
 
 /// The replacement of a choice, and the evasive maneuver that begins with it.
 struct Taken {
   Vec2 choice;  // m/s, the velocity after the step; of a robot that flies m/s², its acceleration
-  Evasion way;
+  Evasion evasion;
 };
 
 inline bool decides(const Neighbor& neighbor) {
@@ -62,7 +62,7 @@ inline bool decides(const Neighbor& neighbor) {
 double evasion_range(const Robot& robot);
 /// s, from a decision until rest: the duration of the longest evasive maneuver of a robot that is
 /// no faster than its max_speed.
-double longest_way_out(const Robot& robot, const StepLaw& law);
+double longest_evasion(const Robot& robot, const StepLaw& law);
 
 /// The result is none for robots that have no evasive maneuvers.
 std::optional<Evading> begin_evading(const CertificateLaw& law, const Robot& robot,

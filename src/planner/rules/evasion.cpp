@@ -32,10 +32,10 @@ bool flies(const Evading& evading) {
   return !can_rest(evading.robot.model);
 }
 
-WayFound find_way(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
+EvasionFound find_evasion(Evading& evading, const Level& level, Vec2 wanted, Taken& found) {
   look_around(evading, level);
   return flies(evading) ? find_flight(evading, wanted, found)
-                        : find_braking_way(evading, wanted, found);
+                        : find_braking_evasion(evading, wanted, found);
 }
 
 bool are_some_likely_to_deviate(const Evading& evading) {
@@ -48,47 +48,48 @@ Level first_level(const Evading& evading) {
 }
 
 // Counts as much of the likely deviation as leaves an evasive maneuver, found by bisection.
-WayFound find_way_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
-  WayFound way = find_way(evading, likely_level(1.0), wanted, found);
-  if (way != WayFound::none) return way;
-  way = find_way(evading, likely_level(0.0), wanted, found);
-  if (way == WayFound::none) return way;
+EvasionFound find_evasion_if_likely(Evading& evading, Vec2 wanted, Taken& found) {
+  EvasionFound outcome = find_evasion(evading, likely_level(1.0), wanted, found);
+  if (outcome != EvasionFound::none) return outcome;
+  outcome = find_evasion(evading, likely_level(0.0), wanted, found);
+  if (outcome == EvasionFound::none) return outcome;
   double kept = 0.0, refused = 1.0;
   for (int k = 0; k < kLargerParts; ++k) {
     const double part = 0.5 * (kept + refused);
-    const WayFound other = find_way(evading, likely_level(part), wanted, found);
-    if (other == WayFound::none) {
+    const EvasionFound other = find_evasion(evading, likely_level(part), wanted, found);
+    if (other == EvasionFound::none) {
       refused = part;
     } else {
-      kept = part, way = other;
+      kept = part, outcome = other;
     }
   }
-  return way;
+  return outcome;
 }
 
-WayFound find_way_in_order(Evading& evading, std::span<const Level> levels, Vec2 wanted,
-                           Taken& found) {
+EvasionFound find_evasion_in_order(Evading& evading, std::span<const Level> levels, Vec2 wanted,
+                                   Taken& found) {
   for (const Level& level : levels) {
-    const WayFound way = find_way(evading, level, wanted, found);
-    if (way != WayFound::none) return way;
+    const EvasionFound outcome = find_evasion(evading, level, wanted, found);
+    if (outcome != EvasionFound::none) return outcome;
   }
-  return WayFound::none;
+  return EvasionFound::none;
 }
 
 // Nearly always the first level has one; where the weakest has none, hardly any other level has
 // one.
-WayFound find_way_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted,
-                            Taken& found) {
-  const WayFound way = find_way(evading, levels.front(), wanted, found);
-  if (way != WayFound::none || find_way(evading, levels.back(), wanted, found) == WayFound::none)
-    return way;
-  return find_way_in_order(evading, levels.subspan(1), wanted, found);
+EvasionFound find_evasion_by_levels(Evading& evading, std::span<const Level> levels, Vec2 wanted,
+                                    Taken& found) {
+  const EvasionFound outcome = find_evasion(evading, levels.front(), wanted, found);
+  if (outcome != EvasionFound::none ||
+      find_evasion(evading, levels.back(), wanted, found) == EvasionFound::none)
+    return outcome;
+  return find_evasion_in_order(evading, levels.subspan(1), wanted, found);
 }
 
-WayFound find_way_for_a_while(Evading& evading, Vec2 wanted, Taken& found) {
+EvasionFound find_evasion_for_a_while(Evading& evading, Vec2 wanted, Taken& found) {
   const std::span<const Level> levels =
       flies(evading) ? std::span<const Level>(kCirclesForAWhile) : kForAWhile;
-  return find_way_in_order(evading, levels, wanted, found);
+  return find_evasion_in_order(evading, levels, wanted, found);
 }
 
 // Returns whether the fallback after that step is clear of movers, for any other neighbors: the
@@ -136,8 +137,8 @@ void take(const Evading& evading, Vec2 choice, Plan& plan) {
 
 }  // namespace
 
-void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
-                    bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
+void keep_evasion(const CertificateLaw& law, const Robot& robot, const Sight& sight,
+                  bool may_swerve, EvasionWorkspace& workspace, Plan& plan) {
   if (needs_none(sight)) return;
   std::optional<Evading> begun = begin_evading(law, robot, sight, workspace);
   if (!begun) return;
@@ -146,15 +147,15 @@ void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& 
   if (is_far_from_movers(evading, wanted)) return;
   keep_walls(evading);
   Taken found;
-  WayFound way = are_some_likely_to_deviate(evading)
-                     ? find_way_if_likely(evading, wanted, found)
-                     : find_way_by_levels(evading, kLevels, wanted, found);
-  if (way == WayFound::none && may_swerve && are_exact(evading))
-    way = find_way_in_order(evading, kLastLevels, wanted, found);
-  if (way == WayFound::none) way = find_way_for_a_while(evading, wanted, found);
-  if (way != WayFound::another) return;
+  EvasionFound outcome = are_some_likely_to_deviate(evading)
+                             ? find_evasion_if_likely(evading, wanted, found)
+                             : find_evasion_by_levels(evading, kLevels, wanted, found);
+  if (outcome == EvasionFound::none && may_swerve && are_exact(evading))
+    outcome = find_evasion_in_order(evading, kLastLevels, wanted, found);
+  if (outcome == EvasionFound::none) outcome = find_evasion_for_a_while(evading, wanted, found);
+  if (outcome != EvasionFound::another) return;
   take(evading, found.choice, plan);
-  workspace.chosen = found.way, workspace.put_aside = wanted;
+  workspace.chosen = found.evasion, workspace.put_aside = wanted;
 }
 
 bool has_evasive_maneuver(const CertificateLaw& law, const Robot& robot, const Sight& sight,
@@ -168,7 +169,7 @@ bool has_evasive_maneuver(const CertificateLaw& law, const Robot& robot, const S
       flies(*evading) ? std::span(kLevels).last(1) : std::span(kLevels);
   return std::any_of(levels.begin(), levels.end(), [&](const Level& level) {
     look_around(*evading, level);
-    return flies(*evading) ? has_clear_flight(*evading) : has_clear_way(*evading);
+    return flies(*evading) ? has_clear_flight(*evading) : has_clear_evasion(*evading);
   });
 }
 

@@ -11,8 +11,8 @@ namespace avo::inline planner {
 /// evasive maneuver, where there is one. Robots without a certificate keep their plan. may_swerve:
 /// no other robot decides. As a last resort A then need not be able to stop before movers that keep
 /// their acceleration.
-void keep_a_way_out(const CertificateLaw& law, const Robot& robot, const Sight& sight,
-                    bool may_swerve, EvasionWorkspace& workspace, Plan& plan);
+void keep_evasion(const CertificateLaw& law, const Robot& robot, const Sight& sight,
+                  bool may_swerve, EvasionWorkspace& workspace, Plan& plan);
 
 /// Returns whether the robot has an evasive maneuver, or needs none, because all others decide.
 bool may_go_on(const CertificateLaw& law, const Robot& robot, const Sight& sight,

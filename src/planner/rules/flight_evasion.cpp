@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "certificate/flight_ways.h"
+#include "certificate/flight_evasions.h"
 #include "core/plane.h"
 #include "planner/methods/flight.h"
 #include "robots/ahead.h"
@@ -88,8 +88,8 @@ bool is_admitted(const Evading& evading, Vec2 acceleration) {
 }
 
 // The evasive maneuver that was last found clear.
-Evasion last_way(const Evading& evading) {
-  const WayState& last = evading.workspace.around.last;
+Evasion last_evasion(const Evading& evading) {
+  const EvasionState& last = evading.workspace.around.last;
   return {-1, last.velocity, last.time};
 }
 
@@ -98,7 +98,7 @@ bool leaves_a_flight(Evading& evading, Vec2 acceleration) {
   return take_step(evading, acceleration) && may_circle_later(evading);
 }
 
-bool is_way_clear(Evading& evading, const FirstFlight& flight) {
+bool is_evasion_clear(Evading& evading, const FirstFlight& flight) {
   Surroundings& around = evading.workspace.around;
   return take_step(evading, flight.acceleration) &&
          (may_circle(evading.options, around) ||
@@ -108,12 +108,12 @@ bool is_way_clear(Evading& evading, const FirstFlight& flight) {
 // The replacement nearest to the wanted acceleration that bisection finds.
 Taken nearer_flight(Evading& evading, const FirstFlight& flight, Vec2 wanted) {
   double refused = 0.0, kept = 1.0;
-  Taken best{flight.acceleration, last_way(evading)};
+  Taken best{flight.acceleration, last_evasion(evading)};
   for (int k = 0; k < kNearer; ++k) {
     const double part = 0.5 * (refused + kept);
     const Vec2 between = wanted + part * (flight.acceleration - wanted);
     if (is_admitted(evading, between) && leaves_a_flight(evading, between)) {
-      kept = part, best = {between, last_way(evading)};
+      kept = part, best = {between, last_evasion(evading)};
     } else {
       refused = part;
     }
@@ -130,7 +130,7 @@ bool find_flight_beside(Evading& evading, Vec2 wanted, Taken& found) {
   for (std::size_t k = 0; k < tried.count; ++k) {
     const Vec2 acceleration = tried.controls[k].ahead * h + tried.controls[k].left * n;
     if (!is_admitted(evading, acceleration) || !leaves_a_flight(evading, acceleration)) continue;
-    found = {acceleration, last_way(evading)};
+    found = {acceleration, last_evasion(evading)};
     return true;
   }
   return false;
@@ -147,20 +147,20 @@ bool has_clear_flight(Evading& evading) {
   return may_circle_later(evading);
 }
 
-WayFound find_flight(Evading& evading, Vec2 wanted, Taken& found) {
-  if (leaves_a_flight(evading, wanted)) return WayFound::as_wanted;
+EvasionFound find_flight(Evading& evading, Vec2 wanted, Taken& found) {
+  if (leaves_a_flight(evading, wanted)) return EvasionFound::as_wanted;
   bool is_refused = false;
   for (const FirstFlight& flight : first_flights(evading, wanted)) {
-    if (!is_way_clear(evading, flight)) continue;
+    if (!is_evasion_clear(evading, flight)) continue;
     if (!is_admitted(evading, flight.acceleration)) {
       is_refused = true;
       continue;
     }
     found = nearer_flight(evading, flight, wanted);
-    return WayFound::another;
+    return EvasionFound::another;
   }
-  return is_refused && find_flight_beside(evading, wanted, found) ? WayFound::another
-                                                                  : WayFound::none;
+  return is_refused && find_flight_beside(evading, wanted, found) ? EvasionFound::another
+                                                                  : EvasionFound::none;
 }
 
 }  // namespace avo::inline planner

@@ -32,9 +32,9 @@ inline constexpr std::array<Level, 2> kLastLevels{{{1.0, 0.025, 0.0, false},  //
 // Where no place is clear for ever, rest must be clear for so long.
 inline constexpr std::array<Level, 1> kForAWhile{{{1.0, 0.0, 0.0, true, 2.0}}};
 
-inline constexpr double kLongestWay = 2.0;      // T, until an evasive maneuver brakes,
-inline constexpr double kWideWay = 3.0;         // or so many for wide neighbors,
-inline constexpr double kMostWaySteps = 400.0;  // and steps at most
+inline constexpr double kLongestEvasion = 2.0;      // T, until an evasive maneuver brakes,
+inline constexpr double kWideEvasion = 3.0;         // or so many for wide neighbors,
+inline constexpr double kMostEvasionSteps = 400.0;  // and steps at most
 // steps of braking; a robot that takes more has no evasive maneuvers
 inline constexpr double kMostBraking = 1024.0;
 inline constexpr int kMostWork = 200000;  // movers and intervals that a level may test
@@ -44,6 +44,6 @@ inline constexpr int kNearer = 4;
 
 /// What a search of evasive maneuvers has found after a step of the robot's own choice, or of
 /// another one.
-enum class WayFound : unsigned char { none, as_wanted, another };
+enum class EvasionFound : unsigned char { none, as_wanted, another };
 
 }  // namespace avo::inline planner

@@ -102,8 +102,8 @@ Plan certify_among_movers(const Planner& planner, const Robot& robot,
          plan);
   plan.state = state_of(robot, seen, walls, law, constraints).state;
   const bool may_swerve = !with_robots && !planner.options().never_swerves;
-  keep_a_way_out(law, robot, {movers, walls, planner.options().wall_range}, may_swerve,
-                 scratch.evasion, plan);
+  keep_evasion(law, robot, {movers, walls, planner.options().wall_range}, may_swerve,
+               scratch.evasion, plan);
   trace.evades(law, robot, movers, scratch.evasion, plan);
   return plan;
 }

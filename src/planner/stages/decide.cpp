@@ -101,7 +101,7 @@ void evade(const Deciding<Trace>& deciding, std::size_t i, const FlightConstrain
   const Sight sight{scratch.listed, tile.walls_of(i), planner.options().wall_range, flight};
   const Robot robot = tile.robots.robot(i);
   Plan& plan = *tile.plan[i];
-  keep_a_way_out(law, robot, sight, false, scratch.evasion, plan);
+  keep_evasion(law, robot, sight, false, scratch.evasion, plan);
   trace.evades(law, robot, scratch.listed, scratch.evasion, plan);
   if (flight != nullptr && plan.state == SafetyState::safe &&
       !may_go_on(law, robot, sight, scratch.evasion))

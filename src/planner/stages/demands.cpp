@@ -8,7 +8,7 @@
 
 #include "certificate/wall_constraints.h"
 #include "obstacles/wall_half_plane.h"
-#include "planner/rules/way_out.h"
+#include "planner/rules/out_of_walls.h"
 #include "planner/stages/contact.h"
 #include "planner/stages/disc_pairs.h"
 #include "robots/footprint.h"

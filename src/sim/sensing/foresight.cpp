@@ -21,7 +21,7 @@ double horizon_of(const World& world) {
   double longest = 0.0;
   const StepLaw law = certificate_law(world.planner()).step;
   for (std::size_t slot = 0; slot < world.fleet.size(); ++slot)
-    longest = std::max(longest, longest_way_out(limits_of(world.fleet, slot), law));
+    longest = std::max(longest, longest_evasion(limits_of(world.fleet, slot), law));
   return longest;
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ways out of airplanes (docs/movers.md, "Airplanes"): what is called clear is clear for ever, and
 // stays so as A flies that way. Judged by places on arcs that are computed from the equations.
-#include "certificate/flight_ways.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
 
+#include "certificate/flight_evasions.h"
 #include "core/plane.h"
 #include "support/generators.h"
 
@@ -21,7 +20,7 @@ constexpr double kSlowest = 0.8, kFastest = 2.0;  // m/s
 // An airplane at 0 among movers and walls, and the control that it holds.
 struct FlightCase {
   Robot robot;
-  WayOptions options;
+  EvasionOptions options;
   Surroundings around;
   FlightControl control;
 };
@@ -40,7 +39,7 @@ Predicted random_mover(test::Random& random, int kind) {
 
 void begin(FlightCase& c) {
   c.options.wheels = &c.robot;
-  begin_ways(c.options, c.around);
+  begin_evasions(c.options, c.around);
   take_no_flight(c.around, c.robot.velocity);
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "certificate/ways.h"
+#include "certificate/evasions.h"
 #include "core/plane.h"
 #include "support/generators.h"
 
@@ -63,7 +63,7 @@ TEST(WaysOut, rest_that_is_clear_is_never_touched) {
 }
 
 struct Case {
-  WayOptions options;
+  EvasionOptions options;
   Surroundings around;
   Vec2 v, next, w;
 };
@@ -87,11 +87,11 @@ Case random_case(test::Random& random, int kind) {
 }
 
 bool may_brake(Case& c) {
-  begin_ways(c.options, c.around);
+  begin_evasions(c.options, c.around);
   return take_first_step(c.options, c.around, {{}, c.v}, c.next) && may_brake(c.options, c.around);
 }
-bool has_clear_way(Case& c) {
-  begin_ways(c.options, c.around);
+bool has_clear_evasion(Case& c) {
+  begin_evasions(c.options, c.around);
   return take_first_step(c.options, c.around, {{}, c.v}, c.next) &&
          may_approach(c.options, c.around, c.w);
 }
@@ -124,7 +124,7 @@ double sampled_room(const Case& c, const std::vector<Vec2>& velocities) {
   return least;
 }
 
-std::vector<Vec2> with_braking(std::vector<Vec2> velocities, const WayOptions& options) {
+std::vector<Vec2> with_braking(std::vector<Vec2> velocities, const EvasionOptions& options) {
   while (velocities.back() != Vec2{})
     velocities.push_back(braked(velocities.back(), options.decrement));
   return velocities;
@@ -138,7 +138,7 @@ TEST(WaysOut, that_are_clear_touch_nobody) {
     if (may_brake(c)) {
       ASSERT_GE(sampled_room(c, with_braking({c.v, c.next}, c.options)), -1e-6) << trial;
     }
-    if (!has_clear_way(c)) continue;
+    if (!has_clear_evasion(c)) continue;
     ++clear;
     std::vector<Vec2> velocities{c.v, c.next};
     double best = -1.0;
@@ -168,10 +168,10 @@ TEST(WaysOut, that_are_clear_stop_in_time_in_every_interval) {
       other.fastest +=
           other.deviation * (other.reaction + 2.0 / c.options.decrement * c.options.law.time_step);
     }
-    if (!has_clear_way(c)) continue;
+    if (!has_clear_evasion(c)) continue;
     ++clear;
     const StepLaw& law = c.options.law;
-    WayState state = c.around.after;
+    EvasionState state = c.around.after;
     const double half_step = 0.5 * law.time_step;
     for (; state.time < c.around.brakes_at - half_step; state.time += law.time_step) {
       const Vec2 next = approach(state.velocity, c.w, c.options.increment);
@@ -215,7 +215,7 @@ TEST(WaysOut, what_is_left_of_a_clear_way_is_one) {
   for (int trial = 0; trial < 6000; ++trial) {
     Case c = random_case(random, trial);
     std::erase_if(c.around.others, [](const Predicted& other) { return other.deviation > 0.0; });
-    if (!has_clear_way(c)) continue;
+    if (!has_clear_evasion(c)) continue;
     ++clear;
     Case later = after_step(c);
     for (Predicted& other : later.around.others) other.contact -= 1e-9, other.stop_contact -= 1e-9;
@@ -225,7 +225,7 @@ TEST(WaysOut, what_is_left_of_a_clear_way_is_one) {
     later.next = brakes;
     const bool by_braking = may_brake(later);
     later.next = on;
-    ASSERT_TRUE(by_braking || has_clear_way(later)) << trial;
+    ASSERT_TRUE(by_braking || has_clear_evasion(later)) << trial;
     ASSERT_TRUE(stops_in_time(later.options, later.around, {{}, later.v}, on) ||
                 stops_in_time(later.options, later.around, {{}, later.v}, brakes))
         << trial << ": the certificate would refuse it";

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "certificate/ways.h"
+#include "certificate/evasions.h"
 #include "core/elementary.h"
 #include "core/plane.h"
 #include "robots/model.h"
@@ -32,13 +32,13 @@ constexpr int kKinds = 7;
 
 struct Case {
   Robot robot;
-  WayOptions options;
+  EvasionOptions options;
   Surroundings around;
-  WayState now;
+  EvasionState now;
   Vec2 w;
 
   Vec2 next() { return next_towards(at(), now, w); }
-  const WayOptions& at() {
+  const EvasionOptions& at() {
     options.wheels = &robot;
     if (const Footprint row = footprint_of(robot.model))
       options.footprint = row, options.lever = farthest_center(row);
@@ -59,7 +59,7 @@ Case random_case(test::Random& random, int kind) {
   const double off = kind % kKinds == 6 ? random.uniform(-2.0, 2.0) : 0.0;  // rad
   robot.velocity = speed * elementary::direction(robot.heading + off);
   result.now = {{}, robot.velocity, 0.0, robot.heading};
-  WayOptions& options = result.options;
+  EvasionOptions& options = result.options;
   options.law = {.time_step = h, .lag = 0.5 * h, .braking_time = h};
   options.decrement = robot.max_acceleration * h;
   options.increment = (kind % 2 == 0 ? 0.6 : 1.0) * options.decrement;
@@ -80,13 +80,13 @@ Case random_case(test::Random& random, int kind) {
   return result;
 }
 
-bool has_clear_way(Case& c) {
-  begin_ways(c.at(), c.around);
+bool has_clear_evasion(Case& c) {
+  begin_evasions(c.at(), c.around);
   return take_first_step(c.at(), c.around, c.now, c.next()) && may_approach(c.at(), c.around, c.w);
 }
 
 bool has_clear_braking(Case& c) {
-  begin_ways(c.at(), c.around);
+  begin_evasions(c.at(), c.around);
   return take_first_step(c.at(), c.around, c.now, braked(c.now.velocity, c.options.decrement)) &&
          may_brake(c.at(), c.around);
 }
@@ -146,7 +146,7 @@ TEST(WaysWithWheels, that_are_clear_touch_nobody) {
   int clear = 0;
   for (int trial = 0; trial < 800; ++trial) {
     Case c = random_case(random, trial);
-    if (!has_clear_way(c)) continue;
+    if (!has_clear_evasion(c)) continue;
     ++clear;
     MotionState state{{}, c.now.velocity, c.now.heading};
     double room = std::numeric_limits<double>::infinity(), best = -1.0, time = 0.0;
@@ -184,10 +184,10 @@ TEST(WaysWithWheels, what_is_left_of_a_clear_way_is_one) {
   int clear = 0;
   for (int trial = 0; trial < 6000; ++trial) {
     Case c = random_case(random, trial);
-    if (!has_clear_way(c)) continue;
+    if (!has_clear_evasion(c)) continue;
     ++clear;
     Case later = after_step(c);
-    const bool brakes = has_clear_braking(later), goes_on = has_clear_way(later);
+    const bool brakes = has_clear_braking(later), goes_on = has_clear_evasion(later);
     ASSERT_TRUE(brakes || goes_on) << trial;
     const Vec2 next = goes_on ? later.next() : braked(later.now.velocity, later.options.decrement);
     ASSERT_TRUE(stops_in_time(later.at(), later.around, later.now, next))
@@ -207,7 +207,7 @@ TEST(WaysWithWheels, keep_clear_of_what_the_arc_of_a_step_touches) {
     other.contact = other.fastest = 0.0;
     const MotionState from{{}, c.now.velocity, c.now.heading};
     other.contact = sampled_step(c, from, moved(c, from, c.next()), 0.0) + 1e-9;
-    begin_ways(c.at(), c.around);
+    begin_evasions(c.at(), c.around);
     ASSERT_FALSE(take_first_step(c.at(), c.around, c.now, c.next())) << trial;
     // nor is it what may be touched at rest alone, by either disc of one that does as it likes
     other.asks_to_stop = true, other.stop_contact = other.contact;
@@ -228,9 +228,9 @@ TEST(WaysWithWheels, are_what_the_robot_can_drive) {
   other.contact = other.stop_contact = 0.5, other.fastest = 2.5;
   c.around.others = {other};
   c.w = {0.0, 2.0};
-  EXPECT_FALSE(has_clear_way(c));  // from rest, aside of its heading
+  EXPECT_FALSE(has_clear_evasion(c));  // from rest, aside of its heading
   c.robot.heading = c.now.heading = 0.5 * std::numbers::pi;
-  EXPECT_TRUE(has_clear_way(c));
+  EXPECT_TRUE(has_clear_evasion(c));
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evasive maneuvers in space: what is clear touches nobody, and what is left of it is an evasive
 // maneuver.
-#include "space/ways_out.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "space/certificate.h"
+#include "space/evasions.h"
 #include "space/own_space.h"
 #include "unit/space/draws.h"
 
@@ -15,8 +14,8 @@ namespace avo::space::tests {
 namespace {
 
 // A robot that moves, among some moving obstacles.
-WaySearch search_of(Draws& draws) {
-  WaySearch search;
+EvasionSearch search_of(Draws& draws) {
+  EvasionSearch search;
   search.law = {.time_step = draws.between(0.05, 0.25)};
   search.law.lag = 0.5 * search.law.time_step;
   search.law.braking_time = search.law.time_step;
@@ -44,8 +43,8 @@ WaySearch search_of(Draws& draws) {
 }
 
 // The search of the next decision, after the first step.
-WaySearch after_step(const WaySearch& before) {
-  WaySearch next = before;
+EvasionSearch after_step(const EvasionSearch& before) {
+  EvasionSearch next = before;
   next.robot.position = before.robot.position + before.after.position;
   next.robot.velocity = before.after.velocity;
   const double h = before.law.time_step;
@@ -61,11 +60,11 @@ struct ClearWay {
   Vec3 w;
   double brakes_at = 0.0;  // s
 };
-bool find_clear(WaySearch& search, Draws& draws, ClearWay& way) {
-  begin_ways(search);
+bool find_clear(EvasionSearch& search, Draws& draws, ClearWay& way) {
+  begin_evasions(search);
   for (int attempt = 0; attempt < 6; ++attempt) {
     way.w = from_own(2.0 * draws.direction(), search.robot.vertical);
-    const WayState now{{}, search.robot.velocity, 0.0};
+    const EvasionState now{{}, search.robot.velocity, 0.0};
     if (!take_first_step(search, next_towards(search, now, way.w))) continue;
     if (!may_approach(search, way.w)) continue;
     way.brakes_at = search.brakes_at;
@@ -79,7 +78,7 @@ TEST(SpaceWays, that_are_clear_touch_nobody) {
   double nearest = 1e9;
   for (int k = 0; k < 1500; ++k) {
     Draws draws(static_cast<std::uint64_t>(k) + 1);
-    WaySearch search = search_of(draws);
+    EvasionSearch search = search_of(draws);
     ClearWay way;
     if (!find_clear(search, draws, way)) continue;
     ++clear;
@@ -111,17 +110,17 @@ TEST(SpaceWays, what_is_left_of_a_clear_way_is_one) {
   int clear = 0;
   for (int k = 0; k < 1500; ++k) {
     Draws draws(static_cast<std::uint64_t>(k) + 3000);
-    WaySearch search = search_of(draws);
+    EvasionSearch search = search_of(draws);
     for (Predicted& other : search.others) other.deviation = other.reaction = 0.0;
     ClearWay way;
     if (!find_clear(search, draws, way)) continue;
     ++clear;
-    WaySearch next = after_step(search);
+    EvasionSearch next = after_step(search);
     // less by what rounding may cost
     for (Predicted& other : next.others) other.contact -= 1e-9, other.stop_contact -= 1e-9;
-    begin_ways(next);
+    begin_evasions(next);
     const bool brakes = way.brakes_at < 1.5 * search.law.time_step;
-    const WayState now{{}, next.robot.velocity, 0.0};
+    const EvasionState now{{}, next.robot.velocity, 0.0};
     const Vec3 step =
         brakes ? backup_velocity(next.robot, next.law) : next_towards(next, now, way.w);
     EXPECT_TRUE(take_first_step(next, step)) << k;
@@ -135,12 +134,12 @@ TEST(SpaceWays, keep_off_boxes_as_the_certificate_does) {
   int clear = 0, refused = 0;
   for (int k = 0; k < 400; ++k) {
     Draws draws(static_cast<std::uint64_t>(k) + 6000);
-    WaySearch search = search_of(draws);
+    EvasionSearch search = search_of(draws);
     ClearWay way;
     if (!find_clear(search, draws, way)) continue;
     search.boxes = {{{0.6, -2, -2}, {1.6, 2, 2}, draws.between(-3.0, 3.0), 0.0}};
-    const WayState now{{}, search.robot.velocity, 0.0};
-    begin_ways(search);
+    const EvasionState now{{}, search.robot.velocity, 0.0};
+    begin_evasions(search);
     const Vec3 next = next_towards(search, now, way.w);
     if (!take_first_step(search, next) || !may_approach(search, way.w)) {
       ++refused;

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "certificate/braking_path.h"
-#include "certificate/way_discs.h"
-#include "certificate/ways.h"
+#include "certificate/evasion_discs.h"
+#include "certificate/evasions.h"
 
 namespace avo::inline certificate {
 
@@ -29,7 +29,8 @@ struct FullBraking {
   }
 };
 
-FullBraking braking_from(const WayOptions& options, const WayState& state, WayDiscs& discs);
+FullBraking braking_from(const EvasionOptions& options, const EvasionState& state,
+                         EvasionDiscs& discs);
 
 /// Interval m of it.
 Hull interval_of(const FullBraking& braking, const StepLaw& law, std::size_t m);

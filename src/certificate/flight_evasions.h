@@ -3,7 +3,7 @@
 // for ever (docs/movers.md, "Airplanes"). Places are relative to p_A, and times count from the
 // decision.
 #pragma once
-#include "certificate/ways.h"
+#include "certificate/evasions.h"
 #include "robots/flight.h"
 
 namespace avo::inline certificate {
@@ -16,15 +16,15 @@ struct FlightControl {
 
 /// Returns whether the first step keeps clear, (C1) and (C3). The functions below judge the flight
 /// after it. `step` begins at 0; options.wheels is the robot.
-bool take_first_flight(const WayOptions& options, Surroundings& around, const MotionState& now,
+bool take_first_flight(const EvasionOptions& options, Surroundings& around, const MotionState& now,
                        const FlightStep& step);
 /// The functions below then judge the flight from now on.
 void take_no_flight(Surroundings& around, Vec2 velocity);
 /// Returns whether A keeps clear, (C1) and (C3), if it circles at once.
-bool may_circle(const WayOptions& options, Surroundings& around);
+bool may_circle(const EvasionOptions& options, Surroundings& around);
 /// Returns whether A keeps clear, (C1) and (C3), if A holds the control for some steps and then
 /// circles. around.last is then the state in which it begins to circle.
-bool may_circle_after(const WayOptions& options, Surroundings& around,
+bool may_circle_after(const EvasionOptions& options, Surroundings& around,
                       const FlightControl& control);
 
 }  // namespace avo::inline certificate

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certificate/way_discs.h"
+#include "certificate/evasion_discs.h"
 
 #include <cmath>
 #include <cstddef>
 
 #include "certificate/discs.h"
-#include "certificate/ways.h"
+#include "certificate/evasions.h"
 #include "robots/model.h"
 
 namespace avo::inline certificate {
@@ -16,8 +16,8 @@ std::size_t count_of(const Footprint& footprint) {
 }
 
 // For a drive, with a heading within a spread throughout the step.
-void swing_with(const BrakingPose& within, const WayOptions& options, const WayState& from,
-                const MotionStep& step, WayDiscs& discs) {
+void swing_with(const BrakingPose& within, const EvasionOptions& options, const EvasionState& from,
+                const MotionStep& step, EvasionDiscs& discs) {
   for (int k = 0; k < options.footprint.discs; ++k) {
     const double ahead = options.footprint.ahead(k);
     const Vec2 start = from.position + ahead * within.ahead;
@@ -29,8 +29,8 @@ void swing_with(const BrakingPose& within, const WayOptions& options, const WayS
 
 }  // namespace
 
-std::span<const Hull> move_discs(const WayOptions& options, const WayState& from, const Plan& plan,
-                                 const MotionStep& step, WayDiscs& discs) {
+std::span<const Hull> move_discs(const EvasionOptions& options, const EvasionState& from,
+                                 const Plan& plan, const MotionStep& step, EvasionDiscs& discs) {
   const StepLaw& law = options.law;
   const Robot& robot = *options.wheels;
   const std::size_t count = count_of(options.footprint);
@@ -52,8 +52,8 @@ std::span<const Hull> move_discs(const WayOptions& options, const WayState& from
   return moving;
 }
 
-std::span<const BrakingDisc> brake_discs(const WayOptions& options, const WayState& from,
-                                         WayDiscs& discs) {
+std::span<const BrakingDisc> brake_discs(const EvasionOptions& options, const EvasionState& from,
+                                         EvasionDiscs& discs) {
   const Robot& robot = *options.wheels;
   const BrakingPose pose =
       braking_pose(robot.model, from.velocity, from.heading, braking_limit(robot), options.law);

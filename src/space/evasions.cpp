@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "space/ways_out.h"
+#include "space/evasions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +10,20 @@
 namespace avo::space {
 namespace {
 
-WayState now_of(const WaySearch& search) {
+EvasionState now_of(const EvasionSearch& search) {
   return {{}, search.robot.velocity, 0.0};
 }
 
 // s: how long the room (m, > 0) lasts from that time on. After s seconds the two come nearer by c +
 // |a| s in a second, with c of that time.
-double lasts(const WaySearch& search, const Predicted& other, double room, double time) {
+double lasts(const EvasionSearch& search, const Predicted& other, double room, double time) {
   const double pull = norm(other.acceleration);
   const double closing = search.max_speed + other.fastest + time * pull;
   return 2.0 * room / (closing + std::sqrt(closing * closing + 2.0 * pull * room));
 }
 
 // Stores how long the moving obstacle of that number cannot touch A.
-void look_at(WaySearch& search, std::size_t k, const WayState& state) {
+void look_at(EvasionSearch& search, std::size_t k, const EvasionState& state) {
   const Predicted& other = search.others[k];
   const double room = room_to(other, state.position, state.time);
   if (!(room > 0.0)) return;
@@ -31,17 +31,17 @@ void look_at(WaySearch& search, std::size_t k, const WayState& state) {
   search.clear_until[k] = std::max(search.clear_until[k], until);
 }
 
-bool is_known(const WaySearch& search, Vec3 place) {
+bool is_known(const EvasionSearch& search, Vec3 place) {
   return norm_squared(place) <= search.known * search.known;
 }
 
 // One step of an evasive maneuver.
-struct WayStep {
+struct EvasionStep {
   Hull path;
-  WayState next;
+  EvasionState next;
 };
 
-WayStep step_of(const WaySearch& search, const WayState& from, Vec3 next_velocity) {
+EvasionStep step_of(const EvasionSearch& search, const EvasionState& from, Vec3 next_velocity) {
   const StepLaw& law = search.law;
   const Vec3 middle = from.position + law.lag * from.velocity;
   const Vec3 last = middle + (law.time_step - law.lag) * next_velocity;
@@ -49,7 +49,7 @@ WayStep step_of(const WaySearch& search, const WayState& from, Vec3 next_velocit
 }
 
 // Tests (C1) of one step.
-bool keeps_off_movers(WaySearch& search, const WayState& from, const Hull& step) {
+bool keeps_off_movers(EvasionSearch& search, const EvasionState& from, const Hull& step) {
   const double end = from.time + search.law.time_step;
   search.work -= static_cast<int>(search.others.size());
   for (std::size_t k = 0; k < search.others.size(); ++k) {
@@ -65,7 +65,7 @@ bool keeps_off_movers(WaySearch& search, const WayState& from, const Hull& step)
 }
 
 // Tests (C3) of one step and of braking after it, as the certificate does.
-bool keeps_off_boxes(WaySearch& search, const WayState& from, Vec3 next_velocity) {
+bool keeps_off_boxes(EvasionSearch& search, const EvasionState& from, Vec3 next_velocity) {
   if (search.boxes.empty()) return true;
   Robot there = search.robot;
   there.position = search.robot.position + from.position, there.velocity = from.velocity;
@@ -74,12 +74,12 @@ bool keeps_off_boxes(WaySearch& search, const WayState& from, Vec3 next_velocity
 }
 
 // Tests (C1) and (C3) of one step.
-bool is_clear(WaySearch& search, const WayState& from, const WayStep& step) {
+bool is_clear(EvasionSearch& search, const EvasionState& from, const EvasionStep& step) {
   return keeps_off_movers(search, from, step.path) && is_known(search, step.path.end) &&
          keeps_off_boxes(search, from, step.next.velocity);
 }
 
-FullBraking braking_from(const WaySearch& search, const WayState& state) {
+FullBraking braking_from(const EvasionSearch& search, const EvasionState& state) {
   const Robot& robot = search.robot;
   FullBraking result{braking_of(state.velocity, robot.max_acceleration, braking_limit(robot),
                                 robot.vertical, search.law),
@@ -98,7 +98,7 @@ Hull interval_of(const FullBraking& from, const StepLaw& law, int m) {
 }
 
 // An interval of the present path of braking, computed once for all others.
-const Hull& known_interval(WaySearch& search, const FullBraking& from, int m) {
+const Hull& known_interval(EvasionSearch& search, const FullBraking& from, int m) {
   const auto k = static_cast<std::size_t>(m);
   if (search.has_hull[k] == 0)
     search.hulls[k] = interval_of(from, search.law, m), search.has_hull[k] = 1;
@@ -113,7 +113,7 @@ enum class BrakingVerdict : unsigned char {
 };
 
 // Judges braking towards one of the others. may_be_clear: no other body is known to touch A.
-BrakingVerdict stop_before(WaySearch& search, std::size_t k, const WayState& state,
+BrakingVerdict stop_before(EvasionSearch& search, std::size_t k, const EvasionState& state,
                            const FullBraking& braking, bool may_be_clear) {
   const Predicted& other = search.others[k];
   const StepLaw& law = search.law;
@@ -144,7 +144,7 @@ BrakingVerdict stop_before(WaySearch& search, std::size_t k, const WayState& sta
   return clear ? BrakingVerdict::clear : BrakingVerdict::in_time;
 }
 
-BrakingVerdict stop_from(WaySearch& search, const WayState& state) {
+BrakingVerdict stop_from(EvasionSearch& search, const EvasionState& state) {
   const FullBraking braking = braking_from(search, state);
   search.work -= static_cast<int>(search.others.size());
   if (search.work < 0 || !is_known(search, braking.end)) return BrakingVerdict::too_late;
@@ -155,12 +155,12 @@ BrakingVerdict stop_from(WaySearch& search, const WayState& state) {
   const auto look_at_one = [&](std::size_t k) {
     const BrakingVerdict stop =
         stop_before(search, k, state, braking, worst == BrakingVerdict::clear);
-    if (stop != BrakingVerdict::clear && worst == BrakingVerdict::clear) search.in_the_way = k;
+    if (stop != BrakingVerdict::clear && worst == BrakingVerdict::clear) search.refused_by = k;
     worst = std::min(worst, stop);
     return worst != BrakingVerdict::too_late;
   };
   // the one that touched A in the last braking often does so again
-  const std::size_t count = search.others.size(), first = search.in_the_way;
+  const std::size_t count = search.others.size(), first = search.refused_by;
   if (first < count && !look_at_one(first)) return worst;
   for (std::size_t k = 0; k < count; ++k)
     if (k != first && !look_at_one(k)) break;
@@ -169,15 +169,15 @@ BrakingVerdict stop_from(WaySearch& search, const WayState& state) {
 
 }  // namespace
 
-void begin_ways(WaySearch& search) {
+void begin_evasions(EvasionSearch& search) {
   const std::size_t count = search.others.size();
-  search.in_the_way = count;
+  search.refused_by = count;
   search.clear_until.assign(count, 0.0);
   for (std::size_t k = 0; k < count; ++k) look_at(search, k, now_of(search));
   search.clear_now = search.clear_until;
 }
 
-Vec3 next_towards(const WaySearch& search, const WayState& from, Vec3 w) {
+Vec3 next_towards(const EvasionSearch& search, const EvasionState& from, Vec3 w) {
   const double vertical = search.robot.vertical;
   const Vec3 change = to_own(w - from.velocity, vertical);
   const double length = norm(change);
@@ -185,9 +185,9 @@ Vec3 next_towards(const WaySearch& search, const WayState& from, Vec3 w) {
   return from.velocity + from_own((search.increment / length) * change, vertical);
 }
 
-bool take_first_step(WaySearch& search, Vec3 next_velocity) {
-  const WayState now = now_of(search);
-  const WayStep step = step_of(search, now, next_velocity);
+bool take_first_step(EvasionSearch& search, Vec3 next_velocity) {
+  const EvasionState now = now_of(search);
+  const EvasionStep step = step_of(search, now, next_velocity);
   search.after = step.next;
   search.clear_until = search.clear_now;
   const bool clear = is_clear(search, now, step);
@@ -195,28 +195,28 @@ bool take_first_step(WaySearch& search, Vec3 next_velocity) {
   return clear;
 }
 
-bool may_brake(WaySearch& search) {
+bool may_brake(EvasionSearch& search) {
   search.clear_until = search.clear_after;
   search.brakes_at = search.after.time;
   return stop_from(search, search.after) == BrakingVerdict::clear;
 }
 
-bool may_approach(WaySearch& search, Vec3 w) {
+bool may_approach(EvasionSearch& search, Vec3 w) {
   search.clear_until = search.clear_after;
-  for (WayState state = search.after;;) {
+  for (EvasionState state = search.after;;) {
     const BrakingVerdict stop = stop_from(search, state);
     search.brakes_at = state.time;
     if (stop != BrakingVerdict::in_time) return stop == BrakingVerdict::clear;
     if (!(state.time < search.longest)) return false;
-    const WayStep step = step_of(search, state, next_towards(search, state, w));
+    const EvasionStep step = step_of(search, state, next_towards(search, state, w));
     if (!is_clear(search, state, step)) return false;
     state = step.next;
   }
 }
 
-bool stops_in_time(const WaySearch& search, Vec3 next_velocity) {
+bool stops_in_time(const EvasionSearch& search, Vec3 next_velocity) {
   const StepLaw& law = search.law;
-  const WayStep step = step_of(search, now_of(search), next_velocity);
+  const EvasionStep step = step_of(search, now_of(search), next_velocity);
   const FullBraking braking = braking_from(search, step.next);
   if (search.robot.velocity == Vec3{} && next_velocity == Vec3{}) return true;
   return std::all_of(search.others.begin(), search.others.end(), [&](const Predicted& other) {

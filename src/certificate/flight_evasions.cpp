@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certificate/flight_ways.h"
+#include "certificate/flight_evasions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ double bend_of(double speed, double next_speed, double curvature, double h) {
 
 // A step along an arc.
 struct ArcStep {
-  WayState from, next;
+  EvasionState from, next;
   Hull path;
   double sagitta = 0.0;  // m
 };
@@ -29,14 +29,14 @@ struct ArcStep {
 // The steps of one control. Nearly all of them turn by the same angle.
 class Flown {
  public:
-  Flown(const WayOptions& options, const FlightControl& control)
+  Flown(const EvasionOptions& options, const FlightControl& control)
       : options_(options),
         target_(control.speed),
         most_(options.wheels->max_acceleration * options.law.time_step),
         across_(control.turn * usable_acceleration(options.wheels->model)) {}
 
   // By the equations of fly_along().
-  ArcStep from(const WayState& state) {
+  ArcStep from(const EvasionState& state) {
     const double h = options_.law.time_step, speed = norm(state.velocity);
     const double next_speed = std::clamp(target_, speed - most_, speed + most_);
     const double top = std::max(speed, next_speed), curvature = across_ / (top * top);
@@ -60,19 +60,19 @@ class Flown {
     straightness_ = std::abs(half_turn) < 1e-8 ? 1.0 : half_.y / half_turn;
   }
 
-  const WayOptions& options_;
+  const EvasionOptions& options_;
   double target_, most_, across_;  // m/s, m/s, m/s²
   double half_turn_ = 0.0;         // rad
   Vec2 half_ = {1.0, 0.0};         // its direction
   double straightness_ = 1.0;      // length of the chord, in lengths of the arc
 };
 
-LoiterCircle circle_from(const WayOptions& options, const WayState& state) {
+LoiterCircle circle_from(const EvasionOptions& options, const EvasionState& state) {
   return *circle_of(options.wheels->model, state.position, state.velocity);
 }
 
 // Tests (C1) of one step, and (C3) of this step and of the circle after it.
-bool is_clear(const WayOptions& options, Surroundings& around, const ArcStep& step) {
+bool is_clear(const EvasionOptions& options, Surroundings& around, const ArcStep& step) {
   if (around.work < 0 || !keeps_off_movers(options, around, step.from, {&step.path, 1}))
     return false;
   const LoiterCircle circle = circle_from(options, step.next);
@@ -86,18 +86,19 @@ bool is_clear(const WayOptions& options, Surroundings& around, const ArcStep& st
 }
 
 // Returns whether no mover ever touches the disc in which A circles from that state on, (C1).
-bool is_circle_clear(const WayOptions& options, Surroundings& around, const WayState& state) {
+bool is_circle_clear(const EvasionOptions& options, Surroundings& around,
+                     const EvasionState& state) {
   const LoiterCircle circle = circle_from(options, state);
   const auto is_clear_of = [&](std::size_t k) {
     return rests_clear(around.others[k], circle.center, state.time, circle.radius);
   };
-  const std::size_t count = around.others.size(), first = around.in_the_way;
+  const std::size_t count = around.others.size(), first = around.refused_by;
   around.work -= static_cast<int>(count);
   // the mover that crossed the last circle often crosses the next one, too
   if (first < count && !is_clear_of(first)) return false;
   for (std::size_t k = 0; k < count; ++k) {
     if (k == first || is_clear_of(k)) continue;
-    around.in_the_way = k;
+    around.refused_by = k;
     return false;
   }
   return true;
@@ -105,7 +106,7 @@ bool is_circle_clear(const WayOptions& options, Surroundings& around, const WayS
 
 }  // namespace
 
-bool take_first_flight(const WayOptions& options, Surroundings& around, const MotionState& now,
+bool take_first_flight(const EvasionOptions& options, Surroundings& around, const MotionState& now,
                        const FlightStep& step) {
   const MotionState& next = step.motion.next;
   const double h = options.law.time_step;
@@ -124,16 +125,16 @@ void take_no_flight(Surroundings& around, Vec2 velocity) {
   around.clear_after = around.clear_now;
 }
 
-bool may_circle(const WayOptions& options, Surroundings& around) {
+bool may_circle(const EvasionOptions& options, Surroundings& around) {
   around.last = around.after;
   return is_circle_clear(options, around, around.after);
 }
 
-bool may_circle_after(const WayOptions& options, Surroundings& around,
+bool may_circle_after(const EvasionOptions& options, Surroundings& around,
                       const FlightControl& control) {
   around.clear_until = around.clear_after;
   Flown flown(options, control);
-  WayState& state = around.last;
+  EvasionState& state = around.last;
   for (state = around.after; state.time < options.longest;) {
     const ArcStep step = flown.from(state);
     if (!is_clear(options, around, step)) return false;

@@ -11,8 +11,8 @@
 
 namespace avo::inline certificate {
 
-struct WayOptions;
-struct WayState;
+struct EvasionOptions;
+struct EvasionState;
 
 /// A disc of a footprint while its robot brakes straight: for as long as the heading may turn, the
 /// disc is larger (docs/certificate/footprints.md, "Drives").
@@ -22,18 +22,18 @@ struct BrakingDisc {
 };
 
 /// Scratch memory: the discs on the last step, and on the last path of braking.
-struct WayDiscs {
+struct EvasionDiscs {
   std::array<Hull, Footprint::kMostDiscs> moving;
   std::array<BrakingDisc, Footprint::kMostDiscs> braking;
 };
 
 /// The path of each disc in `step`, which begins in that state and executes the plan.
-std::span<const Hull> move_discs(const WayOptions& options, const WayState& from, const Plan& plan,
-                                 const MotionStep& step, WayDiscs& discs);
+std::span<const Hull> move_discs(const EvasionOptions& options, const EvasionState& from,
+                                 const Plan& plan, const MotionStep& step, EvasionDiscs& discs);
 
 /// The discs of a robot that brakes from that state on.
-std::span<const BrakingDisc> brake_discs(const WayOptions& options, const WayState& from,
-                                         WayDiscs& discs);
+std::span<const BrakingDisc> brake_discs(const EvasionOptions& options, const EvasionState& from,
+                                         EvasionDiscs& discs);
 
 /// The path of a disc where that of the robot's position is `path`.
 inline Hull path_of(const BrakingDisc& disc, const Hull& path) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "planner/rules/way_out.h"
+#include "planner/rules/out_of_walls.h"
 
 #include <algorithm>
 #include <numbers>

@@ -20,7 +20,7 @@ using Predicted = PredictedOf<3>;
 using Hull = HullOf<3>;
 
 /// A state on an evasive maneuver.
-struct WayState {
+struct EvasionState {
   Vec3 position, velocity;  // m, m/s
   double time = 0.0;        // s
 };
@@ -33,7 +33,7 @@ struct FullBraking {
 };
 
 /// What a robot keeps clear of, and its limits. Scratch memory; allocates only while it grows.
-struct WaySearch {
+struct EvasionSearch {
   StepLaw law;
   Robot robot;             ///< A
   double increment = 0.0;  ///< m/s a step, in its own space, while it approaches a velocity
@@ -47,33 +47,33 @@ struct WaySearch {
   // s, until these times no motion of A matters to each of the others. They are counted from now
   // on, from the first step on, and from the last state of an evasive maneuver on.
   std::vector<double> clear_now, clear_after, clear_until;
-  WayState after;           // the state after the first step
+  EvasionState after;       // the state after the first step
   double brakes_at = 0.0;   // s: the time at which the last clear evasive maneuver begins to brake
   std::vector<Hull> hulls;  // of the last braking path, those that are known
   std::vector<char> has_hull;
-  std::size_t in_the_way = 0;  // the moving obstacle that refused the last evasive maneuver
+  std::size_t refused_by = 0;  // the moving obstacle that refused the last evasive maneuver
   /// The work that is left for this decision; no evasive maneuver counts as clear once it is used
   /// up.
   int work = std::numeric_limits<int>::max();
 };
 
 /// Begins the search of evasive maneuvers among others and boxes.
-void begin_ways(WaySearch& search);
+void begin_evasions(EvasionSearch& search);
 
 /// [v_1] m/s, the next velocity of an evasive maneuver towards the velocity w.
-Vec3 next_towards(const WaySearch& search, const WayState& from, Vec3 w);
+Vec3 next_towards(const EvasionSearch& search, const EvasionState& from, Vec3 w);
 
 /// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below judge
 /// the motion after it.
-bool take_first_step(WaySearch& search, Vec3 next_velocity);
+bool take_first_step(EvasionSearch& search, Vec3 next_velocity);
 /// Returns whether A keeps clear, (C1) to (C3), if it brakes.
-bool may_brake(WaySearch& search);
+bool may_brake(EvasionSearch& search);
 /// Returns whether A keeps clear, (C1) to (C3), if it moves towards the velocity w for some steps,
 /// and then brakes.
-bool may_approach(WaySearch& search, Vec3 w);
+bool may_approach(EvasionSearch& search, Vec3 w);
 
 /// Tests (C2) of a step and of braking after it: the certificate's demand on A towards moving
 /// obstacles.
-bool stops_in_time(const WaySearch& search, Vec3 next_velocity);
+bool stops_in_time(const EvasionSearch& search, Vec3 next_velocity);
 
 }  // namespace avo::space

@@ -10,8 +10,8 @@
 
 #include "avo/robot.h"
 #include "certificate/braking_path.h"
+#include "certificate/evasion_discs.h"
 #include "certificate/predicted.h"
-#include "certificate/way_discs.h"
 #include "walls/segment.h"
 
 namespace avo::inline certificate {
@@ -24,14 +24,14 @@ struct KeptWall {
 };
 
 /// A state on an evasive maneuver.
-struct WayState {
+struct EvasionState {
   Vec2 position, velocity;  // m, m/s
   double time = 0.0;        // s
   double heading = 0.0;     // rad; not of holonomic robots
 };
 
 /// The common values of all evasive maneuvers of one decision.
-struct WayOptions {
+struct EvasionOptions {
   StepLaw law;
   double increment = 0.0;  ///< m/s a step, while the evasive maneuver approaches its velocity
   double decrement = 0.0;  ///< [u_b] m/s a step, of full braking
@@ -58,15 +58,15 @@ struct Surroundings {
   // s, until these times no motion of A matters to each of the others. They are counted from now
   // on, from the first step on, and from the last state of an evasive maneuver on.
   std::vector<double> clear_now, clear_after, clear_until;
-  WayState after;  // the state after the first step
+  EvasionState after;  // the state after the first step
   // of a robot that flies: the state in which the last evasive maneuver begins to circle
-  WayState last;
+  EvasionState last;
   double brakes_at = 0.0;  // s: the time at which the last clear evasive maneuver begins to brake
   std::vector<KnownInterval> intervals;  // of the last braking path
   std::uint64_t brakings = 0;            // number of braking paths until now
-  WayDiscs discs;                        // of a robot with a footprint
+  EvasionDiscs discs;                    // of a robot with a footprint
   // index of the mover that touched A in the last evasive maneuver that was not clear
-  std::size_t in_the_way = 0;
+  std::size_t refused_by = 0;
   /// The work that is left for this decision; no evasive maneuver counts as clear once it is used
   /// up.
   int work = std::numeric_limits<int>::max();
@@ -75,27 +75,27 @@ struct Surroundings {
 };
 
 /// Begins the search of evasive maneuvers among the others and walls in `around`.
-void begin_ways(const WayOptions& options, Surroundings& around);
+void begin_evasions(const EvasionOptions& options, Surroundings& around);
 
 /// Tests (C1) of one step, of each of A's discs.
-bool keeps_off_movers(const WayOptions& options, Surroundings& around, const WayState& from,
+bool keeps_off_movers(const EvasionOptions& options, Surroundings& around, const EvasionState& from,
                       std::span<const Hull> discs);
 
 /// [v_1] m/s, the next velocity of an evasive maneuver towards the velocity w.
-Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w);
+Vec2 next_towards(const EvasionOptions& options, const EvasionState& from, Vec2 w);
 
 /// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below judge
 /// the motion after it.
-bool take_first_step(const WayOptions& options, Surroundings& around, const WayState& now,
+bool take_first_step(const EvasionOptions& options, Surroundings& around, const EvasionState& now,
                      Vec2 next_velocity);
 /// Returns whether A keeps clear, (C1) to (C3), if it brakes.
-bool may_brake(const WayOptions& options, Surroundings& around);
+bool may_brake(const EvasionOptions& options, Surroundings& around);
 /// Returns whether A keeps clear, (C1) to (C3), if it moves towards the velocity w for some steps,
 /// and then brakes.
-bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w);
+bool may_approach(const EvasionOptions& options, Surroundings& around, Vec2 w);
 
 /// Tests (C2) of a step and of braking after it: the certificate's demand on A towards movers.
-bool stops_in_time(const WayOptions& options, Surroundings& around, const WayState& now,
+bool stops_in_time(const EvasionOptions& options, Surroundings& around, const EvasionState& now,
                    Vec2 next_velocity);
 
 }  // namespace avo::inline certificate

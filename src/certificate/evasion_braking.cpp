@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certificate/way_braking.h"
+#include "certificate/evasion_braking.h"
 
 #include "core/plane.h"
 
 namespace avo::inline certificate {
 
-FullBraking braking_from(const WayOptions& options, const WayState& state, WayDiscs& discs) {
+FullBraking braking_from(const EvasionOptions& options, const EvasionState& state,
+                         EvasionDiscs& discs) {
   FullBraking braking;
   const double speed = norm(state.velocity);
   braking.profile = braking_profile(speed, options.decrement);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "certificate/ways.h"
+#include "certificate/evasions.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
 
-#include "certificate/way_braking.h"
+#include "certificate/evasion_braking.h"
 #include "core/plane.h"
 #include "robots/model.h"
 
@@ -13,8 +13,8 @@ namespace avo::inline certificate {
 namespace {
 
 // Stores how long the mover of that number cannot touch A; A's speed is at most v_max.
-void look_at(const WayOptions& options, Surroundings& around, std::size_t k,
-             const WayState& state) {
+void look_at(const EvasionOptions& options, Surroundings& around, std::size_t k,
+             const EvasionState& state) {
   const Predicted& other = around.others[k];
   const double closing = options.max_speed + other.fastest;
   const double room = room_to(other, state.position, state.time) - options.lever;
@@ -22,14 +22,14 @@ void look_at(const WayOptions& options, Surroundings& around, std::size_t k,
     around.clear_until[k] = std::max(around.clear_until[k], state.time + room / closing);
 }
 
-bool is_known(const WayOptions& options, Vec2 place) {
+bool is_known(const EvasionOptions& options, Vec2 place) {
   return norm_squared(place) <= options.known * options.known;
 }
 
 // One step of an evasive maneuver.
-struct WayStep {
+struct EvasionStep {
   Hull path;  // of A's position
-  WayState next;
+  EvasionState next;
   std::span<const Hull> footprint = {};  // the paths of its discs
 
   // The paths of A's discs.
@@ -39,14 +39,14 @@ struct WayStep {
 };
 
 // A, in that state.
-Robot on_wheels(const WayOptions& options, const WayState& state) {
+Robot on_wheels(const EvasionOptions& options, const EvasionState& state) {
   Robot robot = *options.wheels;
   robot.velocity = state.velocity, robot.heading = state.heading;
   return robot;
 }
 
-WayStep step_of(const WayOptions& options, const WayState& from, Vec2 next_velocity,
-                WayDiscs& discs) {
+EvasionStep step_of(const EvasionOptions& options, const EvasionState& from, Vec2 next_velocity,
+                    EvasionDiscs& discs) {
   const StepLaw& law = options.law;
   const double end = from.time + law.time_step;
   const Vec2 middle = from.position + law.lag * from.velocity;
@@ -77,8 +77,8 @@ bool keeps_off_wall(const KeptWall& wall, const Hull& disc, bool swings) {
 }
 
 // Tests (C1) and (C3) of one step.
-bool is_clear(const WayOptions& options, Surroundings& around, const WayState& from,
-              const WayStep& step) {
+bool is_clear(const EvasionOptions& options, Surroundings& around, const EvasionState& from,
+              const EvasionStep& step) {
   const std::span<const Hull> discs = step.discs();
   if (!keeps_off_movers(options, around, from, discs)) return false;
   const bool swings = !step.footprint.empty();
@@ -106,8 +106,9 @@ enum class BrakingVerdict : unsigned char {
 };
 
 // Judges braking towards one of the others. may_be_clear: no other body is known to touch A.
-BrakingVerdict stop_before(const WayOptions& options, Surroundings& around, std::size_t k,
-                           const WayState& state, const FullBraking& braking, bool may_be_clear) {
+BrakingVerdict stop_before(const EvasionOptions& options, Surroundings& around, std::size_t k,
+                           const EvasionState& state, const FullBraking& braking,
+                           bool may_be_clear) {
   const Predicted& other = around.others[k];
   const double h = options.law.time_step, closing = options.max_speed + other.fastest;
   bool clear = may_be_clear;
@@ -139,7 +140,8 @@ BrakingVerdict stop_before(const WayOptions& options, Surroundings& around, std:
   return clear ? BrakingVerdict::clear : BrakingVerdict::in_time;
 }
 
-BrakingVerdict stop_from(const WayOptions& options, Surroundings& around, const WayState& state) {
+BrakingVerdict stop_from(const EvasionOptions& options, Surroundings& around,
+                         const EvasionState& state) {
   const FullBraking braking = braking_from(options, state, around.discs);
   around.work -= static_cast<int>(around.others.size());
   if (around.work < 0 || !is_known(options, braking.end)) return BrakingVerdict::too_late;
@@ -159,13 +161,13 @@ BrakingVerdict stop_from(const WayOptions& options, Surroundings& around, const 
   const auto look_at_one = [&](std::size_t k) {
     const BrakingVerdict stop =
         stop_before(options, around, k, state, braking, worst == BrakingVerdict::clear);
-    if (stop != BrakingVerdict::clear && worst == BrakingVerdict::clear) around.in_the_way = k;
+    if (stop != BrakingVerdict::clear && worst == BrakingVerdict::clear) around.refused_by = k;
     worst = std::min(worst, stop);
     return worst != BrakingVerdict::too_late;
   };
   // the mover that touched A in the last braking often does so again: the tests of the others then
   // matter less
-  const std::size_t count = around.others.size(), first = around.in_the_way;
+  const std::size_t count = around.others.size(), first = around.refused_by;
   if (first < count && !look_at_one(first)) return worst;
   for (std::size_t k = 0; k < count; ++k)
     if (k != first && !look_at_one(k)) break;
@@ -181,7 +183,7 @@ void Surroundings::reserve(std::size_t most_others, std::size_t braking_steps) {
     column->reserve(most_others);
 }
 
-bool keeps_off_movers(const WayOptions& options, Surroundings& around, const WayState& from,
+bool keeps_off_movers(const EvasionOptions& options, Surroundings& around, const EvasionState& from,
                       std::span<const Hull> discs) {
   const double end = from.time + options.law.time_step;
   around.work -= static_cast<int>(around.others.size());
@@ -199,8 +201,8 @@ bool keeps_off_movers(const WayOptions& options, Surroundings& around, const Way
   return true;
 }
 
-void begin_ways(const WayOptions& options, Surroundings& around) {
-  around.in_the_way = around.others.size();
+void begin_evasions(const EvasionOptions& options, Surroundings& around) {
+  around.refused_by = around.others.size();
   around.clear_until.assign(around.others.size(), 0.0);
   for (std::size_t k = 0; k < around.others.size(); ++k) look_at(options, around, k, {});
   around.clear_now = around.clear_until;
@@ -209,15 +211,15 @@ void begin_ways(const WayOptions& options, Surroundings& around) {
         (distance(Vec2{}, wall.segment) - wall.kept - options.lever) / options.max_speed;
 }
 
-Vec2 next_towards(const WayOptions& options, const WayState& from, Vec2 w) {
+Vec2 next_towards(const EvasionOptions& options, const EvasionState& from, Vec2 w) {
   if (options.wheels == nullptr) return approach(from.velocity, w, options.increment);
   const Robot robot = on_wheels(options, from);
   return approached(robot, options.law.braking_time, options.increment, within_steering(robot, w));
 }
 
-bool take_first_step(const WayOptions& options, Surroundings& around, const WayState& now,
+bool take_first_step(const EvasionOptions& options, Surroundings& around, const EvasionState& now,
                      Vec2 next_velocity) {
-  const WayStep step = step_of(options, now, next_velocity, around.discs);
+  const EvasionStep step = step_of(options, now, next_velocity, around.discs);
   around.after = step.next;
   around.clear_until = around.clear_now;
   const bool clear = is_clear(options, around, now, step);
@@ -225,29 +227,29 @@ bool take_first_step(const WayOptions& options, Surroundings& around, const WayS
   return clear;
 }
 
-bool may_brake(const WayOptions& options, Surroundings& around) {
+bool may_brake(const EvasionOptions& options, Surroundings& around) {
   around.clear_until = around.clear_after;
   around.brakes_at = around.after.time;
   return stop_from(options, around, around.after) == BrakingVerdict::clear;
 }
 
-bool may_approach(const WayOptions& options, Surroundings& around, Vec2 w) {
+bool may_approach(const EvasionOptions& options, Surroundings& around, Vec2 w) {
   around.clear_until = around.clear_after;
-  for (WayState state = around.after;;) {
+  for (EvasionState state = around.after;;) {
     const BrakingVerdict stop = stop_from(options, around, state);
     around.brakes_at = state.time;
     if (stop != BrakingVerdict::in_time) return stop == BrakingVerdict::clear;
     if (!(state.time < options.longest)) return false;
-    const WayStep step = step_of(options, state, next_towards(options, state, w), around.discs);
+    const EvasionStep step = step_of(options, state, next_towards(options, state, w), around.discs);
     if (!is_clear(options, around, state, step)) return false;
     state = step.next;
   }
 }
 
-bool stops_in_time(const WayOptions& options, Surroundings& around, const WayState& now,
+bool stops_in_time(const EvasionOptions& options, Surroundings& around, const EvasionState& now,
                    Vec2 next_velocity) {
   const StepLaw& law = options.law;
-  const WayStep step = step_of(options, now, next_velocity, around.discs);
+  const EvasionStep step = step_of(options, now, next_velocity, around.discs);
   const std::span<const Hull> discs = step.discs();
   const FullBraking braking = braking_from(options, step.next, around.discs);
   const bool moves = !is_rest(now.velocity) || !is_rest(next_velocity);
