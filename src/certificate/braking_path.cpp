@@ -58,7 +58,7 @@ BrakingDistances braking_distances(const BrakingProfile& profile, const StepLaw&
   return {now.start.value, now.middle.value, next.start.value};
 }
 
-Vec2 stopping_way(Vec2 velocity, double decrement, const StepLaw& law) {
+Vec2 stopping_vector(Vec2 velocity, double decrement, const StepLaw& law) {
   const double speed = norm(velocity);
   return speed > 0.0 ? (stopping_length(speed, decrement, law) / speed) * velocity : Vec2{};
 }
@@ -103,7 +103,7 @@ CandidatePath path_after(const Robot& robot, const MotionStep& step, const StepL
   path.next_velocity = step.next.velocity;
   path.bend = step.bend;
   path.swing = law.lag * step.swing;
-  path.way = step.way;
+  path.length = step.length;
   brake_after(robot, law, path);
   return path;
 }

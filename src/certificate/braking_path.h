@@ -105,7 +105,7 @@ inline double stopping_length(double speed, double decrement, const StepLaw& law
 }
 
 /// The displacement of full braking until rest, m.
-Vec2 stopping_way(Vec2 velocity, double decrement, const StepLaw& law);
+Vec2 stopping_vector(Vec2 velocity, double decrement, const StepLaw& law);
 
 /// A body with constant acceleration moves on a parabola. Where motion is exponential, a path of
 /// the law's kind with the same ends and the same first velocity differs from it. This is a bound
@@ -121,7 +121,7 @@ struct CandidatePathOf {
   Vector direction;      ///< of v_1; 0 at rest
   double speed = 0.0;    ///< |v_1| m/s
   /// m, a lower bound of the distance of the first step, where the robot is not holonomic
-  double way = 0.0;
+  double length = 0.0;
   int moving = 0;          ///< number of intervals in which it moves, with the first step
   double bend = 0.0;       ///< m: how much more the arc of its first step needs than a parabola
   Vector swing = {};       ///< m: distance from p_1 of that parabola to p_1 of the braking path

@@ -80,7 +80,7 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
   const double u = braking_decrement(robot.max_acceleration, law), speed = norm(robot.velocity);
   const double expected = law.lag * speed + (law.time_step - law.lag) * (speed + u) +
                           stopping_length(speed + u, decrement_of(robot, law), law);
-  return path.way + stopping_length(path.braking, law) <= kRounding * expected;
+  return path.length + stopping_length(path.braking, law) <= kRounding * expected;
 }
 
 // Returns whether the robot moves on the judged path. A robot that turns in place moves its discs.

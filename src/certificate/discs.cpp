@@ -14,8 +14,8 @@ namespace avo::inline certificate {
 BrakingPose braking_pose(const MotionModel& model, Vec2 velocity, double heading,
                          double max_braking, const StepLaw& law) {
   if (is_holonomic(model)) return {};
-  const double way = stopping_length(norm(velocity), braking_decrement(max_braking, law), law);
-  return turn_while_braking(model, velocity, heading, way);
+  const double length = stopping_length(norm(velocity), braking_decrement(max_braking, law), law);
+  return turn_while_braking(model, velocity, heading, length);
 }
 
 BrakingPose braking_pose(const Robot& robot, const StepLaw& law) {

@@ -33,13 +33,13 @@ FallbackArea loitering_area(const LoiterCircle& circle, double radius) {
 // the displacement of a or of b is 0.
 Vec2 between(const FallbackArea& a, const FallbackArea& b) {
   const Vec2 p = a.start - b.start;
-  return nearest_on_segment(p, p + (a.way - b.way));
+  return nearest_on_segment(p, p + (a.to_stop - b.to_stop));
 }
 
 // docs/certificate/rounding.md: a decision reduces the accumulated error by a share.
 double margin_between(const FallbackArea& a, const FallbackArea& b, double share) {
-  const double lengths =
-      length_1(a.start) + length_1(b.start) + norm(a.way) + norm(b.way) + a.radius + b.radius;
+  const double lengths = length_1(a.start) + length_1(b.start) + norm(a.to_stop) + norm(b.to_stop) +
+                         a.radius + b.radius;
   return scalar::rounding_margin<Real>(lengths, std::max(a.intervals, b.intervals),
                                        std::min(share, 1.0 - share))
       .value;
@@ -91,8 +91,8 @@ void collect_loiterers(const Robot& robot, const Neighbors& neighbors, const Ste
     invariant.slack = std::min(invariant.slack, line.gap);
     if (line.gap < 0.0)
       invariant.broken.take(static_cast<int>(k), -line.gap), invariant.doubtful = true;
-    // A's fallback area begins at n . x = min(0, n . own.way)
-    const double begin = std::min(0.0, dot(line.normal, own.way));
+    // A's fallback area begins at n . x = min(0, n . own.to_stop)
+    const double begin = std::min(0.0, dot(line.normal, own.to_stop));
     lines.push_back({static_cast<int>(k), line.normal, begin - line.part, begin});
   }
 }
@@ -167,16 +167,16 @@ bool keeps_flight(const FlightConstraints& constraints, const Robot& robot,
         return dot(n, next.center - now.center) - (next.radius - now.radius) >= -line.part;
       });
   if (!circles_kept) return false;
-  const ArcEnd end = end_of(step.way, step.chord);
+  const ArcEnd end = end_of(step.arc, step.chord);
   const bool lines_kept =
       std::all_of(constraints.lines.begin(), constraints.lines.end(), [&](const auto& line) {
         const Vec2 n = line.normal;
-        return dot(n, step.way.start - now.center) + now.radius + lowest(step.way, end, n) >=
+        return dot(n, step.arc.start - now.center) + now.radius + lowest(step.arc, end, n) >=
                -line.part;
       });
   if (!lines_kept) return false;
-  const Segment chord{step.way.start, step.motion.next.position};
-  const double off = sagitta(step.way);
+  const Segment chord{step.arc.start, step.motion.next.position};
+  const double off = sagitta(step.arc);
   return std::all_of(constraints.walls.begin(), constraints.walls.end(), [&](const Wall& wall) {
     const Segment segment{wall.a, wall.b};
     return distance(next.center, segment) - next.radius >= wall.radius &&

@@ -19,7 +19,7 @@ namespace avo::inline certificate {
 /// The area that a robot does not leave if it decides nothing better: a segment with a radius.
 struct FallbackArea {
   /// m: start and displacement of braking; for a robot that flies the center of its circle, and 0
-  Vec2 start, way;
+  Vec2 start, to_stop;
   double radius = 0.0;     ///< m, of the area about that segment
   double intervals = 0.0;  ///< number of intervals until rest
 };

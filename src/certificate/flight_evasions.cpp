@@ -111,11 +111,11 @@ bool take_first_flight(const EvasionOptions& options, Surroundings& around, cons
   const MotionState& next = step.motion.next;
   const double h = options.law.time_step;
   const Hull path{now.position, now.position + options.law.lag * now.velocity, next.position,
-                  bend_of(norm(now.velocity), norm(next.velocity), step.way.curvature, h)};
+                  bend_of(norm(now.velocity), norm(next.velocity), step.arc.curvature, h)};
   around.after = {next.position, next.velocity, h};
   around.clear_until = around.clear_now;
   const bool clear = is_clear(
-      options, around, {{now.position, now.velocity}, around.after, path, sagitta(step.way)});
+      options, around, {{now.position, now.velocity}, around.after, path, sagitta(step.arc)});
   around.clear_after = around.clear_until;
   return clear;
 }

@@ -69,7 +69,7 @@ struct Closing {
     return std::max(followed->trajectory->places().back().time - followed->trajectory_time, 0.0);
   }
   // m, an upper bound of the distance by which the two approach until then.
-  double way_until(double t) const {
+  double length_until(double t) const {
     const double of_trajectory =
         followed != nullptr ? followed->trajectory->max_speed(followed->trajectory_time) : 0.0;
     return t * (norm(velocity) + of_trajectory + 0.5 * t * norm(acceleration));
@@ -79,7 +79,7 @@ struct Closing {
 // Finds a time at which all places that A can reach are within contact.
 std::optional<double> find_contact(const Closing& closing, double contact) {
   const double end = std::min(closing.spread.time_of(contact), closing.known_until());
-  if (!(norm(closing.at(0.0)) < contact + closing.way_until(end))) return std::nullopt;
+  if (!(norm(closing.at(0.0)) < contact + closing.length_until(end))) return std::nullopt;
   const auto depth = [&](double t) { return norm(closing.at(t)) + closing.spread.at(t) - contact; };
   return find_negative(depth, end);
 }

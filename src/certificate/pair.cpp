@@ -36,26 +36,26 @@ scalar::PackBraking<Real> pack(const Braking& braking) {
 
 // m, the largest distance of a mover on a trajectory from its sensed place until a time from now
 // on, s.
-double way_on_trajectory(const Neighbor& mover, double time) {
+double length_on_trajectory(const Neighbor& mover, double time) {
   const Trajectory& trajectory = *mover.trajectory;
   const double end = mover.trajectory_time + time;
-  double way = norm(trajectory.at(mover.trajectory_time) - mover.position);
-  way = std::max(way, norm(trajectory.at(end) - mover.position));
+  double length = norm(trajectory.at(mover.trajectory_time) - mover.position);
+  length = std::max(length, norm(trajectory.at(end) - mover.position));
   const std::span<const TimedPlace> places = trajectory.places();
   for (std::size_t k = first_later(places, mover.trajectory_time);
        k < places.size() && places[k].time < end; ++k)
-    way = std::max(way, norm(places[k].position - mover.position));
-  if (trajectory.repeats_from() && !(end < places.back().time)) way += trajectory.round();
-  return way + trajectory.error() + 0.5 * time * time * mover.max_deviation;
+    length = std::max(length, norm(places[k].position - mover.position));
+  if (trajectory.repeats_from() && !(end < places.back().time)) length += trajectory.round();
+  return length + trajectory.error() + 0.5 * time * time * mover.max_deviation;
 }
 
 // m, the largest distance that a mover may move in all intervals in which A may move.
-double way_of_mover(const Neighbor& mover, const Braking& a, const StepLaw& law) {
+double length_of_mover(const Neighbor& mover, const Braking& a, const StepLaw& law) {
   const double t = law.time_step * a.intervals;
-  if (mover.trajectory != nullptr) return way_on_trajectory(mover, t);
-  const double way = t * norm(mover.velocity) + 0.5 * t * t * norm(mover.acceleration);
-  if (!(mover.max_deviation > 0.0)) return way;
-  return std::min(way + 0.5 * t * t * mover.max_deviation, t * mover.max_speed);
+  if (mover.trajectory != nullptr) return length_on_trajectory(mover, t);
+  const double length = t * norm(mover.velocity) + 0.5 * t * t * norm(mover.acceleration);
+  if (!(mover.max_deviation > 0.0)) return length;
+  return std::min(length + 0.5 * t * t * mover.max_deviation, t * mover.max_speed);
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ BrakingPair braking_pair(const Robot& robot, const Neighbor& neighbor, const Bra
   pair.a = a;
   double lengths = pair.contact + a.reach + norm(robot.position) + norm(neighbor.position);
   if (neighbor.max_deviation > 0.0 || neighbor.trajectory != nullptr)
-    lengths += way_of_mover(neighbor, a, law);
+    lengths += length_of_mover(neighbor, a, law);
   pair.inflated = pair.contact + scalar::rounding_margin<Real>(lengths, a.intervals, 1.0).value;
   pair.error =
       law.sensing_error.position + law.sensing_error.velocity * law.time_step * a.intervals;
@@ -113,7 +113,7 @@ SensingError error_against(const Neighbor& neighbor, const StepLaw& law) {
 
 bool cannot_meet(const BrakingPair& pair, const Neighbor& neighbor, const StepLaw& law) {
   double reach = pair.a.reach + pair.b.reach;
-  if (!pair.decides) reach += way_of_mover(neighbor, pair.a, law);
+  if (!pair.decides) reach += length_of_mover(neighbor, pair.a, law);
   return norm(pair.p) - reach > pair.inflated + pair.error;
 }
 

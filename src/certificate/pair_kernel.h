@@ -326,11 +326,12 @@ AVO_KERNEL PackClearance<Real> clearance_of(const PackSelf<Real, D>& self,
   const auto brake_alike = (b_B <= b_A) & (b_B >= b_A);
   const Real together = select(brake_alike, d - drift, alone);
   // by equal braking both keep within `off_line` of the line from p to where both rest
-  const Vec<Real, D> way = length_A * d_A - pair.b.length * d_B;
-  const Real squared = dot(way, way), lengths = length_A + pair.b.length;
-  const Real part = min(max(-dot(pair.p, way), zero) / select(squared > zero, squared, one), one);
+  const Vec<Real, D> motion = length_A * d_A - pair.b.length * d_B;
+  const Real squared = dot(motion, motion), lengths = length_A + pair.b.length;
+  const Real part =
+      min(max(-dot(pair.p, motion), zero) / select(squared > zero, squared, one), one);
   const Real off_line = abs(length_A - pair.b.length) + Real(0x1p-40) * (d + lengths);
-  const Real beside = norm(pair.p + part * way) - off_line;
+  const Real beside = norm(pair.p + part * motion) - off_line;
   const Real nearest = max(max(alone, together), select(brake_alike, beside, alone));
   const Real passes = pair.b.length * max(zero, dot(d_A, d_B));
   const Real shift = select(brake_alike, min(passes, drift), passes);

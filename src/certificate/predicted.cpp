@@ -121,11 +121,11 @@ bool rests_clear(const PredictedOf<D>& other, VectorOf<D> place, double time, do
     const double left = std::min(std::max(time, leaves_at(other, place, distance)), other.until);
     return keeps_beside_parabola(other, place, time, left, distance, kBisections);
   }
-  const VectorOf<D> way = place - other.place_at(time), v = other.velocity_at(time);
-  const double squared = norm_squared(v), along = is_rest(v) ? 0.0 : dot(way, v);
+  const VectorOf<D> to_place = place - other.place_at(time), v = other.velocity_at(time);
+  const double squared = norm_squared(v), along = is_rest(v) ? 0.0 : dot(to_place, v);
   // for a mover that moves away, or rests, its place at that time counts
-  if (!(along > 0.0)) return norm(way) >= contact + other.spread_at(time);
-  return norm(way - std::min(along / squared, other.until - time) * v) >= distance;
+  if (!(along > 0.0)) return norm(to_place) >= contact + other.spread_at(time);
+  return norm(to_place - std::min(along / squared, other.until - time) * v) >= distance;
 }
 
 template <int D>

@@ -218,7 +218,7 @@ void begin_walls(const Robot& robot, std::span<const Wall> walls, const StepLaw&
       wall_rounding(robot.radius + room.lengths, robot.max_speed, ability_of(robot), law);
   constraints.middle = law.lag * robot.velocity;
   constraints.backup = braked(robot.velocity, u);
-  constraints.stop = stopping_way(robot.velocity, u, law);
+  constraints.stop = stopping_vector(robot.velocity, u, law);
   constraints.first = constraints.middle + (law.time_step - law.lag) * constraints.backup;
   const double lost = law.localization_error;
   for (std::size_t k = 0; k < walls.size(); ++k) {

@@ -41,7 +41,7 @@ Arc arc_of(const CheckedState& before, const CheckedState& now, double duration)
           duration};
 }
 
-double way_of(const Arc& arc) {
+double path_length(const Arc& arc) {
   const double from = std::abs(arc.speed), to = std::abs(arc.next_speed);
   if (!changes_direction(arc)) return 0.5 * arc.duration * (from + to);
   return 0.5 * arc.duration * (from * from + to * to) / (from + to);
@@ -54,7 +54,7 @@ double top_speed(const Arc& arc) {
 // s² |κ|; s/length is at most 2 over the duration: it stays finite
 double lateral_acceleration(const Arc& arc) {
   const double top = top_speed(arc);
-  return top > 0.0 ? top * std::abs(arc.turn) * (top / way_of(arc)) : 0.0;
+  return top > 0.0 ? top * std::abs(arc.turn) * (top / path_length(arc)) : 0.0;
 }
 
 CourseKnot knot_on(const Arc& arc, double ahead, double fraction) {
@@ -72,7 +72,7 @@ double fourth_derivative(const Arc& arc, double ahead) {
   const double top = top_speed(arc), turn = std::abs(arc.turn);
   const double change = std::abs(arc.next_speed - arc.speed) / arc.duration;
   const bool rests = !(top > 0.0);
-  const double curvature = rests ? 0.0 : turn / way_of(arc);
+  const double curvature = rests ? 0.0 : turn / path_length(arc);
   const double rate = rests ? 2.0 * turn / arc.duration : top * curvature;
   const double gain = rests ? rate / arc.duration : change * curvature;
   const double square = rate * rate;

@@ -27,7 +27,7 @@ inline bool changes_direction(const Arc& arc) {
   return arc.speed * arc.next_speed < 0.0;
 }
 /// m, the length of the path.
-double way_of(const Arc& arc);
+double path_length(const Arc& arc);
 /// m/s, the higher speed.
 double top_speed(const Arc& arc);
 /// m/s^2: across the heading, for a body with the higher speed on the arc; 0 at rest.

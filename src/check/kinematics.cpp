@@ -57,16 +57,16 @@ Pull pull_of(const RowStep& step, const Arc& arc) {
   pull.across = lateral_acceleration(arc);
   const double top = top_speed(arc);
   pull.along_rounding = late * pull.along + kLimitRounding * top / step.duration;
-  const double per_turn = top > 0.0 ? top * (top / way_of(arc)) : 0.0;
+  const double per_turn = top > 0.0 ? top * (top / path_length(arc)) : 0.0;
   pull.across_rounding = (late + kLimitRounding) * pull.across + per_turn * angle_rounding(step);
   return pull;
 }
 
 // m: granted error of the positions of this step. The tolerance is that of lengths.
-double granted_way(const RowStep& step, double way, double speed) {
+double granted_length(const RowStep& step, double length, double speed) {
   const double places = norm(step.before.position) + norm(step.now.position);
-  return step.tolerance * (step.robot.radius + way) + kLimitRounding * (places + way) +
-         angle_rounding(step) * way + step.time_rounding * speed;
+  return step.tolerance * (step.robot.radius + length) + kLimitRounding * (places + length) +
+         angle_rounding(step) * length + step.time_rounding * speed;
 }
 
 void judge_jump(const RowStep& step, double off, double granted, CheckReport& report) {
@@ -76,12 +76,12 @@ void judge_jump(const RowStep& step, double off, double granted, CheckReport& re
 void judge_arc(const RowStep& step, const Arc& arc, CheckReport& report) {
   const double top = top_speed(arc);
   const double off = norm(step.now.position - knot_on(arc, 0.0, 1.0).position);
-  judge_jump(step, off, granted_way(step, top * step.duration, top), report);
+  judge_jump(step, off, granted_length(step, top * step.duration, top), report);
 }
 
 // rad: the largest turn in this step.
 double most_turn(const RowStep& step, const CheckedCar& car, const Arc& arc) {
-  if (std::isfinite(car.max_curvature)) return car.max_curvature * way_of(arc);
+  if (std::isfinite(car.max_curvature)) return car.max_curvature * path_length(arc);
   if (top_speed(arc) > 0.0) return std::numeric_limits<double>::infinity();
   return max_speed(step.robot) / car.wheelbase * step.duration;
 }
@@ -166,8 +166,8 @@ void judge(const RowStep& step, const CheckedDrive& drive, CheckReport& report) 
   const Vec2 h = elementary::direction(step.now.heading->angle);
   const double turned_off = drive.offset * norm(h - axle.heading.back());
   const double off = norm(step.now.position - knot_on(axle, 0.0, TowedAxle::kParts).position);
-  const double way = 0.5 * speeds * step.duration + drive.offset;
-  judge_jump(step, std::max(off, turned_off), granted_way(step, way, speeds), report);
+  const double length = 0.5 * speeds * step.duration + drive.offset;
+  judge_jump(step, std::max(off, turned_off), granted_length(step, length, speeds), report);
 }
 
 void judge(const RowStep& /*step*/, const CheckedHolonomic& /*any*/, CheckReport& /*report*/) {}

@@ -51,10 +51,10 @@ double turn(const TimedState& from, const TimedState& to) {
 // Constant curvature: the turns are proportional to the lengths. At rest there is no heading to
 // determine them.
 Held turn_of(const Rows& rows) {
-  const auto way = [](const TimedState& from, const TimedState& to) {
+  const auto length_between = [](const TimedState& from, const TimedState& to) {
     return 0.5 * (to.time - from.time) * (norm(from.row.velocity) + norm(to.row.velocity));
   };
-  const double first = way(rows.a, rows.b), second = way(rows.b, rows.c);
+  const double first = length_between(rows.a, rows.b), second = length_between(rows.b, rows.c);
   const double whole = first + second;
   const auto rests = [](const TimedState& state) { return state.row.velocity == Vec2{}; };
   if (rests(rows.a) || rests(rows.b) || rests(rows.c)) return {};

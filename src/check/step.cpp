@@ -72,8 +72,8 @@ double arc_error(const CheckedState& before, const CheckedState& now, double max
   const double top = std::max(from, to);
   const double rate = std::abs(turn) * top / (0.5 * (from + to));  // v κ Δt, rad
   const double along = 6.0 * change * rate * rate;
-  const double way = top * duration;
-  const double across = 3.0 * change * change * rate / way + way * rate * rate * rate;
+  const double length = top * duration;
+  const double across = 3.0 * change * change * rate / length + length * rate * rate * rate;
   return std::min(any, (along + across) / 384.0);
 }
 

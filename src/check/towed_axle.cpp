@@ -57,10 +57,10 @@ struct Wheel {
 
 // `beyond` parts from the end of a part.
 Wheel wheel_at(const TowedAxle& axle, std::size_t part, double beyond, double track) {
-  const double way = beyond * axle.duration / static_cast<double>(TowedAxle::kParts);
+  const double past = beyond * axle.duration / static_cast<double>(TowedAxle::kParts);
   const double time = time_of(axle, part);
-  const Vec2 h = beyond == 0.0 ? axle.heading[part] : turned(axle, axle.heading[part], time, way);
-  const Vec2 n = left_of(h), velocity = velocity_at(axle, time + way);
+  const Vec2 h = beyond == 0.0 ? axle.heading[part] : turned(axle, axle.heading[part], time, past);
+  const Vec2 n = left_of(h), velocity = velocity_at(axle, time + past);
   const double speed = dot(h, velocity), rate = dot(n, velocity) / axle.offset;
   const double gain = dot(h, axle.acceleration) + axle.offset * rate * rate;
   const double spin = (dot(n, axle.acceleration) - speed * rate) / axle.offset;

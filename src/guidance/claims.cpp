@@ -13,9 +13,9 @@ constexpr double kLeavesLane = 1.0;  // rad: a robot that has turned off by more
 // A point as far off as the rest of the route, so that no robot brakes for the place, unless it
 // must stop.
 Vec2 beyond(Vec2 p, Vec2 target, double rest) {
-  const Vec2 way = target - p;
-  const double distance = norm(way);
-  return distance > 0.0 && rest > distance ? p + (rest / distance) * way : target;
+  const Vec2 to_target = target - p;
+  const double distance = norm(to_target);
+  return distance > 0.0 && rest > distance ? p + (rest / distance) * to_target : target;
 }
 
 // The robot's own prospect; its route must be known.

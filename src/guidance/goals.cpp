@@ -13,7 +13,7 @@ Vec2 preferred_velocity(Vec2 position, Vec2 velocity, const RobotTraits& robot, 
       scalar::constant<Real>(goal),     robot.preferred_speed,
       planned_braking(robot),           robot.max_speed,
       robot.max_acceleration,           robot.has_model ? 0.0 : 1.0};
-  return plain(scalar::preferred_velocity(traveller, scalar::way_of(traveller, step), step));
+  return plain(scalar::preferred_velocity(traveller, scalar::line_to_goal(traveller, step), step));
 }
 
 }  // namespace avo::inline guidance

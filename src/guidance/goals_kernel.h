@@ -57,13 +57,13 @@ AVO_KERNEL Vec<Real> limited(Vec<Real> a, Real length) {
 }
 
 template <typename Real>
-AVO_KERNEL GoalLine<Real> way_of(const Traveller<Real>& robot, const StepResponse& step) {
-  const Vec<Real> way = robot.goal - robot.position;
+AVO_KERNEL GoalLine<Real> line_to_goal(const Traveller<Real>& robot, const StepResponse& step) {
+  const Vec<Real> to_goal = robot.goal - robot.position;
   GoalLine<Real> result;
-  result.distance = norm(way);
+  result.distance = norm(to_goal);
   const auto is_away = result.distance > Real(0.0);
   result.direction =
-      select(is_away, way / select(is_away, result.distance, Real(1.0)), constant<Real>({}));
+      select(is_away, to_goal / select(is_away, result.distance, Real(1.0)), constant<Real>({}));
   result.along = dot(robot.velocity, result.direction);
   result.left = result.distance - Real(step.lag) * result.along;
   return result;
@@ -85,7 +85,7 @@ AVO_KERNEL Real soft_speed(Real distance, Real braking, Real response_time, Real
 
 /// A method without lag reaches v' in one step, so v' needs only the lead of a soft landing.
 template <typename Real>
-AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const GoalLine<Real>& way,
+AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const GoalLine<Real>& line,
                               const StepResponse& step) {
   const Real speed = robot.preferred_speed, time_step(step.time_step);
   const auto is_soft = robot.is_holonomic > Real(step.law.is_gentle() ? 0.0 : 1.0);
@@ -95,49 +95,49 @@ AVO_KERNEL Vec<Real> approach(const Traveller<Real>& robot, const GoalLine<Real>
   const Real u = braking_time * select(is_soft, braking, all);
   const Real time = response_time(robot.max_speed, robot.max_acceleration, braking, step.law);
   const Real response = select(is_soft, time, Real(0.0));
-  const Vec<Real> at_speed = speed * way.direction, p = robot.position, goal = robot.goal;
+  const Vec<Real> at_speed = speed * line.direction, p = robot.position, goal = robot.goal;
   // more than twice the sum of norms below
   const Real around = Real(0x1p-45) * ((abs(p.x) + abs(p.y)) + (abs(goal.x) + abs(goal.y)));
   const auto known =
-      surely_admits(way.left - speed * response, speed, u, time_step) & (way.distance > around);
+      surely_admits(line.left - speed * response, speed, u, time_step) & (line.distance > around);
   if (!any(!known)) return at_speed;
   // nearer than rounding can tell counts as there
-  const auto there = way.distance <= Real(0x1p-46) * (norm(p) + norm(goal));
-  const Real hard = admissible_speed(way.left, u, time_step);
-  const Real stops = select(is_soft, soft_speed(way.left, u / time_step, time, time_step), hard);
-  const Vec<Real> slower = min(stops, speed) * way.direction;
+  const auto there = line.distance <= Real(0x1p-46) * (norm(p) + norm(goal));
+  const Real hard = admissible_speed(line.left, u, time_step);
+  const Real stops = select(is_soft, soft_speed(line.left, u / time_step, time, time_step), hard);
+  const Vec<Real> slower = min(stops, speed) * line.direction;
   return select(known, at_speed, select(there, constant<Real>({}), slower));
 }
 
 /// For a method that approaches v' with the lag of Eq. (7).
 template <typename Real>
-AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const GoalLine<Real>& way,
+AVO_KERNEL Vec<Real> lead(const Traveller<Real>& robot, const GoalLine<Real>& line,
                           const StepResponse& step) {
   const Real top = robot.preferred_speed, time_step(step.time_step), rate(step.rate);
   const Real control_time(step.control_time), reach = control_time * robot.planned_braking;
   // the deceleration that D(0, v_max) leaves at every speed: v' = v - v_max is always inside
   const Real change = min(robot.max_speed, reach);
-  const Vec<Real> at_speed = top * way.direction;
-  const auto known = surely_admits(way.left, top, rate * change, time_step) &
-                     (Real(2.0) * way.distance >= Real(1.001) * control_time * top);
+  const Vec<Real> at_speed = top * line.direction;
+  const auto known = surely_admits(line.left, top, rate * change, time_step) &
+                     (Real(2.0) * line.distance >= Real(1.001) * control_time * top);
   if (!any(!known)) return at_speed;
   // 2 distance/δ: among parked robots less than the full deceleration is left. A robot that counts
   // on the full deceleration oscillates about its goal for ever.
-  const Real speed = min(Real(2.0) * way.distance / control_time,
-                         admissible_speed(way.left, rate * change, time_step));
+  const Real speed = min(Real(2.0) * line.distance / control_time,
+                         admissible_speed(line.left, rate * change, time_step));
   const Vec<Real> v = robot.velocity;
-  const Vec<Real> v_new = v + limited((speed * way.direction - v) / rate, reach);
+  const Vec<Real> v_new = v + limited((speed * line.direction - v) / rate, reach);
   const Vec<Real> slower = limited(v_new, min(max(norm(v), speed), top));
-  return select(known | (speed >= top), at_speed, select(speed < way.along, v_new, slower));
+  return select(known | (speed >= top), at_speed, select(speed < line.along, v_new, slower));
 }
 
 /// See preferred_velocity().
 template <typename Real>
-AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const GoalLine<Real>& way,
+AVO_KERNEL Vec<Real> preferred_velocity(const Traveller<Real>& robot, const GoalLine<Real>& line,
                                         const StepResponse& step) {
-  if (method_traits(step.method).lags) return lead(robot, way, step);
-  if (!adopts_at_once(step.method)) return approach(robot, way, step);
-  return min(way.distance / Real(step.time_step), robot.preferred_speed) * way.direction;
+  if (method_traits(step.method).lags) return lead(robot, line, step);
+  if (!adopts_at_once(step.method)) return approach(robot, line, step);
+  return min(line.distance / Real(step.time_step), robot.preferred_speed) * line.direction;
 }
 
 AVO_END_KERNELS

@@ -16,7 +16,7 @@ constexpr double kBesideReach = 1.25;  // of contact: others within this distanc
 constexpr double kStill = 0.2;         // of v_max: slower robots rest, or soon will
 constexpr double kComesOut = 0.004;    // of v_max, away from the goal
 constexpr double kPlaceGap = 0.02;     // of contact, between a place and those at rest
-constexpr double kWayGap = 0.01;       // of contact, for the line to the place
+constexpr double kLineGap = 0.01;      // of contact, for the line to the place
 // of the distance to a place: it must be nearer to the goal by that
 constexpr double kWorth = 0.25;
 constexpr double kGain = 0.1;         // radii: and by so much in addition,
@@ -25,9 +25,9 @@ constexpr double kRoundedOff = 1e-9;  // places touch circles, and lines begin i
 
 // The point at that distance from one point towards another.
 Vec2 point_towards(Vec2 from, Vec2 to, double length) {
-  const Vec2 way = to - from;
-  const double distance = norm(way);
-  return distance > 0.0 ? from + (length / distance) * way : from;
+  const Vec2 line = to - from;
+  const double distance = norm(line);
+  return distance > 0.0 ? from + (length / distance) * line : from;
 }
 
 double place_reach(const Resting& other) {
@@ -89,12 +89,12 @@ class PlaceSearch {
   }
 
   void try_tangents(const Resting& other) {
-    const Vec2 way = other.position - seeker_.position;
-    const double d2 = norm_squared(way), reach = place_reach(other);
+    const Vec2 line = other.position - seeker_.position;
+    const double d2 = norm_squared(line), reach = place_reach(other);
     const double square = d2 - reach * reach;
     if (!(square > 0.0)) return;
-    const Vec2 along = (square / d2) * way;
-    const Vec2 across = (reach * std::sqrt(square) / d2) * perpendicular(way);
+    const Vec2 along = (square / d2) * line;
+    const Vec2 across = (reach * std::sqrt(square) / d2) * perpendicular(line);
     try_place(seeker_.position + along + across);
     try_place(seeker_.position + along - across);
   }
@@ -135,22 +135,22 @@ class PlaceSearch {
   }
 
   // A robot in contact with a robot at rest, or a wall, may leave it.
-  static bool is_clear(double on_way, double needed, double before) {
-    return on_way >= std::min(needed, (1.0 - kRoundedOff) * before);
+  static bool is_clear(double on_line, double needed, double before) {
+    return on_line >= std::min(needed, (1.0 - kRoundedOff) * before);
   }
 
-  bool is_free_of(const Resting& other, const Segment& way) const {
-    return norm(way.b - other.position) >= (1.0 - kRoundedOff) * place_reach(other) &&
-           is_clear(distance(other.position, way), (1.0 + kWayGap) * other.reach,
+  bool is_free_of(const Resting& other, const Segment& line) const {
+    return norm(line.b - other.position) >= (1.0 - kRoundedOff) * place_reach(other) &&
+           is_clear(distance(other.position, line), (1.0 + kLineGap) * other.reach,
                     norm(seeker_.position - other.position));
   }
 
   // A robot that blocks the line to a place often blocks the line to the next one.
   bool is_free(Vec2 place) {
-    const Segment way{seeker_.position, place};
-    if (!is_free_of(resting_[blocker_], way)) return false;
+    const Segment line{seeker_.position, place};
+    if (!is_free_of(resting_[blocker_], line)) return false;
     for (std::size_t k = 0; k < resting_.size(); ++k) {
-      if (is_free_of(resting_[k], way)) continue;
+      if (is_free_of(resting_[k], line)) continue;
       blocker_ = k;
       return false;
     }
@@ -158,7 +158,7 @@ class PlaceSearch {
       const Segment segment{wall.a, wall.b};
       const double contact = seeker_.radius + wall.radius;
       return distance(place, segment) >= contact &&
-             is_clear(distance(way, segment), contact, distance(seeker_.position, segment));
+             is_clear(distance(line, segment), contact, distance(seeker_.position, segment));
     });
   }
 

@@ -240,8 +240,7 @@ bool Routes::is_in_sight(Vec2 p, Vec2 q) const {
 
 bool Routes::is_in_sight(Vec2 p, Vec2 q, const Wall*& behind) const {
   if (!sight_) return true;
-  if (behind == nullptr || !is_in_the_way(*behind, p, q, kJoint))
-    behind = sight_->in_the_way(p, q, kJoint);
+  if (behind == nullptr || !blocks(*behind, p, q, kJoint)) behind = sight_->blocker(p, q, kJoint);
   return behind == nullptr;
 }
 

@@ -70,12 +70,12 @@ double length_of(const Travel& travel, Vec2 position) {
 
 Simulation::Route rest_of_route(const Travel& travel, Vec2 position, Vec2 goal) {
   const Vec2 end = travel.end(goal);
-  Simulation::Route way{norm(end - position), end, norm(goal - end)};
+  Simulation::Route route{norm(end - position), end, norm(goal - end)};
   const auto rest = rest_of(travel);
   if (rest && travel.target != PathMap::kGoal)
-    way.length = norm(rest->first - position) + rest->second, way.next = rest->first;
-  if (travel.ends == RouteEnd::short_of) way.length = kInfinity;
-  return way;
+    route.length = norm(rest->first - position) + rest->second, route.next = rest->first;
+  if (travel.ends == RouteEnd::short_of) route.length = kInfinity;
+  return route;
 }
 
 Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot, double own_path,
@@ -86,12 +86,12 @@ Heading follow(Travel& travel, Vec2 position, Vec2 end, const RobotTraits& robot
                            looks_around, scratch);
   travel.target = leg.target;
   if (leg.is_last() || leg.target == PathMap::kNothing) return straight;
-  const Vec2 way = leg.aim - position;
-  const double distance = norm(way), to_end = norm(end - position);
+  const Vec2 to_aim = leg.aim - position;
+  const double distance = norm(to_aim), to_end = norm(end - position);
   if (!(distance > 0.0) || (to_end < own_path && leg.length < kLittleDetour * to_end))
     return straight;
   return {
-      .goal = position + (leg.length / distance) * way,
+      .goal = position + (leg.length / distance) * to_aim,
       .preferred_speed = std::min(robot.preferred_speed, speed_limit(leg, robot.max_acceleration)),
       .next = leg.aim};
 }
@@ -106,12 +106,12 @@ Heading beside_resting(std::span<const Wall> resting, const Heading& heading, Ve
         nearest == nullptr || norm(position - mover.a) < norm(position - nearest->a);
     if (covers && is_nearer) nearest = &mover;
   }
-  const Vec2 way = nearest != nullptr ? position - nearest->a : Vec2{};
-  const double distance = norm(way);
+  const Vec2 away = nearest != nullptr ? position - nearest->a : Vec2{};
+  const double distance = norm(away);
   if (!(distance > 0.0)) return heading;
   const double beside = kBeside * (radius + nearest->radius);
   Heading to = heading;
-  to.goal = nearest->a + (beside / distance) * way, to.guide = Guide::mover;
+  to.goal = nearest->a + (beside / distance) * away, to.guide = Guide::mover;
   return to;
 }
 

@@ -29,10 +29,10 @@ void fill(ProgramGroup<1>& group, const Disc& acceleration, double top_speed, Ve
 
 ProgramResult nearest_to_speed_disc(const Disc& acceleration, double top_speed) {
   const Lens lens = make_lens(acceleration, top_speed);
-  const Vec2 way = plain(lens.scaled.larger_center / lens.scaled.distance);
+  const Vec2 towards = plain(lens.scaled.larger_center / lens.scaled.distance);
   ProgramResult result;
-  result.point =
-      acceleration.center + acceleration.radius * (lens.scaled.speed_is_larger.bit ? way : -way);
+  result.point = acceleration.center +
+                 acceleration.radius * (lens.scaled.speed_is_larger.bit ? towards : -towards);
   result.violation = norm(lens.scale * result.point) / lens.scale - top_speed;
   result.state = ProgramState::discs_disjoint;
   return result;

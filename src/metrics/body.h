@@ -64,14 +64,14 @@ void collect_obstacles(const MovingObstacleView& now, const BodyStep& step,
 judge::Instant separation_of(const Body& a, const Body& b, double step, double cutoff);
 
 /// An upper bound of the displacement of the body in the step, m.
-inline double way_of(const StepPath& path) {
+inline double path_length(const StepPath& path) {
   double squared = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
     squared = std::max(squared, norm_squared(path.control[k + 1] - path.control[k]));
   return 3.0 * std::sqrt(squared);
 }
-inline double way_of(const Body& body) {
-  return way_of(body.path);
+inline double path_length(const Body& body) {
+  return path_length(body.path);
 }
 
 }  // namespace avo::inline metrics

@@ -53,7 +53,7 @@ void Crowd::observe(const Simulation& simulation, const Trips& trips, double dur
   Vec2 directions = {};
   double moving = 0.0;
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    if (!trips.is_under_way(fleet.id[i].value)) continue;
+    if (!trips.is_travelling(fleet.id[i].value)) continue;
     time_ += duration;
     look_around(fleet, i, duration);
     const double speed = norm(fleet.velocity[i]);

@@ -108,7 +108,7 @@ void Encounters::meet_obstacle(const Body& robot, const Body& obstacle, const St
   const std::pair pair(robot.name, obstacle.name);
   if (with_obstacle.insert(pair).second) new_hits.push_back(pair);
   touched_by_movers.push_back(robot.name);
-  if (way_of(robot) > kAtRest * robot.setup->max_speed * step.duration)
+  if (path_length(robot) > kAtRest * robot.setup->max_speed * step.duration)
     with_obstacle_in_motion.insert({robot.name, obstacle.name});
 }
 
@@ -198,14 +198,14 @@ void Encounters::observe(std::span<const Sweep> sweeps,
   double largest = 0.0, farthest = 0.0;  // radius and displacement of a step, m
   for (const Sweep& sweep : sweeps) {
     largest = std::max(largest, sweep.radius);
-    farthest = std::max(farthest, way_of(sweep.path));
+    farthest = std::max(farthest, path_length(sweep.path));
   }
   company_.reach -= 2.0 * farthest_;  // of the step before
   if (!min_clearance) min_clearance = any_clearance(sweeps, body);
   farthest_ = farthest;
   for (const Body& obstacle : obstacles) {
     largest = std::max(largest, obstacle.radius);
-    farthest = std::max(farthest, way_of(obstacle));
+    farthest = std::max(farthest, path_length(obstacle));
   }
   const double clearance = std::max(min_clearance.value_or(0.0), 0.0);
   const double need = 2.0 * largest + clearance + 2.0 * farthest;

@@ -25,32 +25,33 @@ double time_of(const Phase& phase, double length) {
 
 // The phases from a speed >= 0: up or down to the peak, on at it, and down to rest. A robot that is
 // too fast to stop at the goal brakes all the time.
-std::array<Phase, 3> phases_of(const IdealTrip& trip, double speed, double way) {
+std::array<Phase, 3> phases_of(const IdealTrip& trip, double speed, double distance) {
   const double a = trip.acceleration, top = trip.top_speed;
   const double stopping = trip.stops ? speed * speed / (2.0 * a) : 0.0;
-  if (stopping >= way && trip.stops) return {{{way, speed, -a}, {}, {}}};
+  if (stopping >= distance && trip.stops) return {{{distance, speed, -a}, {}, {}}};
   double peak = top;
-  if (trip.stops && speed <= top) peak = std::min(top, std::sqrt(a * way + 0.5 * speed * speed));
-  const double change = std::min(std::abs(peak * peak - speed * speed) / (2.0 * a), way);
-  const double braking = trip.stops ? std::min(peak * peak / (2.0 * a), way - change) : 0.0;
+  if (trip.stops && speed <= top)
+    peak = std::min(top, std::sqrt(a * distance + 0.5 * speed * speed));
+  const double change = std::min(std::abs(peak * peak - speed * speed) / (2.0 * a), distance);
+  const double braking = trip.stops ? std::min(peak * peak / (2.0 * a), distance - change) : 0.0;
   return {{{change, speed, peak < speed ? -a : a},
-           {way - change - braking, peak, 0.0},
+           {distance - change - braking, peak, 0.0},
            {braking, peak, -a}}};
 }
 
 }  // namespace
 
 double ideal_time(const IdealTrip& trip) {
-  if (trip.way <= trip.margin) return 0.0;
-  if (!(trip.way < kInfinity)) return kInfinity;
-  double speed = trip.speed, way = trip.way, time = 0.0;
+  if (trip.distance <= trip.margin) return 0.0;
+  if (!(trip.distance < kInfinity)) return kInfinity;
+  double speed = trip.speed, distance = trip.distance, time = 0.0;
   if (speed < 0.0) {  // the robot must turn round first
     time = -speed / trip.acceleration;
-    way += 0.5 * time * -speed;
+    distance += 0.5 * time * -speed;
     speed = 0.0;
   }
-  double left = way - trip.margin;
-  for (const Phase& phase : phases_of(trip, speed, way)) {
+  double left = distance - trip.margin;
+  for (const Phase& phase : phases_of(trip, speed, distance)) {
     const double length = std::min(phase.length, left);
     if (!(length > 0.0)) continue;
     time += time_of(phase, length);

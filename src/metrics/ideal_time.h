@@ -6,7 +6,7 @@ namespace avo::inline metrics {
 
 /// A route from a start to a goal, and the robot on it.
 struct IdealTrip {
-  double way = 0.0;           // m, >= 0, to the goal; may be infinite
+  double distance = 0.0;      // m, >= 0, to the goal; may be infinite
   double margin = 0.0;        // m, >= 0: it has arrived at this distance before the goal
   double speed = 0.0;         // m/s, along the route at the start; negative: away from it
   double top_speed = 0.0;     // m/s, >= 0, that it aims for

@@ -101,9 +101,9 @@ StepPath hermite_path(Vec2 position, Vec2 velocity, Vec2 next_position, Vec2 nex
 }
 
 ArcPath arc_path(Vec2 position, Vec2 next_position, double turn) {
-  const Vec2 way = next_position - position;
-  const double heading = elementary::atan2(way.y, way.x) - 0.5 * turn;
-  return {position, heading, turn, norm(way) / chord_of_arc(0.5 * turn)};
+  const Vec2 chord = next_position - position;
+  const double heading = elementary::atan2(chord.y, chord.x) - 0.5 * turn;
+  return {position, heading, turn, norm(chord) / chord_of_arc(0.5 * turn)};
 }
 
 StepPath hermite_path(const ArcMotion& arc, double time_step) {

@@ -27,16 +27,16 @@ struct TripOf {
   std::uint64_t robot = 0;
   std::optional<double> arrival = {};  // s
   bool parked = false;
-  bool overlapped = false;           // before it arrived; a moving obstacle at any time
-  double begin = 0.0;                // s
-  double end = 0.0;                  // s, so far
-  Vector goal = {};                  // m
-  double ideal_time = 0.0;           // s
-  double preferred_speed = 0.0;      // m/s
-  double step = 0.0;                 // s, of the robot itself
-  double way = 0.0, way_left = 0.0;  // m, route length at the beginning and now
-  double progress = 0.0;             // m, route length left when it last made progress
-  double acceleration_limit = 0.0;   // [a_max] m/s^2, of its motion model
+  bool overlapped = false;                      // before it arrived; a moving obstacle at any time
+  double begin = 0.0;                           // s
+  double end = 0.0;                             // s, so far
+  Vector goal = {};                             // m
+  double ideal_time = 0.0;                      // s
+  double preferred_speed = 0.0;                 // m/s
+  double step = 0.0;                            // s, of the robot itself
+  double route_length = 0.0, route_left = 0.0;  // m, route length at the beginning and now
+  double progress = 0.0;                        // m, route length left when it last made progress
+  double acceleration_limit = 0.0;              // [a_max] m/s^2, of its motion model
 
   Vector position = {}, velocity = {};  // m, m/s, as last seen
   Vector acceleration = {},
@@ -75,14 +75,14 @@ void add_step(TripOf<D>& trip, VectorOf<D> a) {
 /// left, m. With free clocks it is a part of the robot's own step: the first part where the robot
 /// decided.
 template <int D>
-void go_on(TripOf<D>& trip, VectorOf<D> position, VectorOf<D> velocity, double way_left,
+void go_on(TripOf<D>& trip, VectorOf<D> position, VectorOf<D> velocity, double route_left,
            double duration, bool decided) {
   const VectorOf<D> a = (velocity - trip.velocity) / duration;
   const double a_squared = norm_squared(a);
   trip.length += norm(position - trip.position);
-  trip.way_left = way_left;
-  if (trip.progress - way_left >= kProgress * trip.preferred_speed * duration)
-    trip.progress = way_left;
+  trip.route_left = route_left;
+  if (trip.progress - route_left >= kProgress * trip.preferred_speed * duration)
+    trip.progress = route_left;
   else
     trip.deadlock_time += duration;
   trip.effort += a_squared * duration;

@@ -63,9 +63,9 @@ void describe_trips(std::span<const TripOf<D>* const> trips, RunMetrics& metrics
     jerk_steps += trip.jerk_steps;
     moving_steps += trip.moving_steps;
     turned_back += trip.turned_back;
-    const bool has_way = trip.way < kInfinity && trip.way_left < kInfinity;
+    const bool has_route = trip.route_length < kInfinity && trip.route_left < kInfinity;
     const double best = trip.preferred_speed * duration_of(trip);  // m
-    if (has_way && best > 0.0) efficacy.add((trip.way - trip.way_left) / best);
+    if (has_route && best > 0.0) efficacy.add((trip.route_length - trip.route_left) / best);
     if (!trip.arrival) {
       have_arrived = false;
       continue;
@@ -74,7 +74,8 @@ void describe_trips(std::span<const TripOf<D>* const> trips, RunMetrics& metrics
       extra_times.push_back(duration_of(trip) - trip.ideal_time);
       extra.add(extra_times.back());
     }
-    if (has_way && duration_of(trip) > 0.0) ratio.add((trip.length + trip.way_left) / trip.way);
+    if (has_route && duration_of(trip) > 0.0)
+      ratio.add((trip.length + trip.route_left) / trip.route_length);
   }
   metrics.success = success.value();
   metrics.collision = collision.value();

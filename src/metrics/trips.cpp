@@ -22,9 +22,9 @@ void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std
   trip.begin = trip.end = simulation.time();
   trip.goal = fleet.goal[i];
   trip.preferred_speed = setup.preferred_speed;
-  trip.way = trip.way_left = trip.progress = route.length;
+  trip.route_length = trip.route_left = trip.progress = route.length;
   trip.ideal_time =
-      ideal_time({.way = route.length,
+      ideal_time({.distance = route.length,
                   .margin = setup.arrival_distance.value_or(usual_distance),
                   .speed = distance > 0.0 ? dot(fleet.velocity[i], ahead) / distance : 0.0,
                   .top_speed = std::min(setup.preferred_speed, setup.max_speed),
@@ -60,7 +60,7 @@ std::size_t Trips::find(std::uint64_t robot, std::size_t from) const {
   return static_cast<std::size_t>(place - trips_.begin());
 }
 
-bool Trips::is_under_way(std::uint64_t robot) const {
+bool Trips::is_travelling(std::uint64_t robot) const {
   const std::size_t place = find(robot, 0);
   if (place == trips_.size() || trips_[place].robot != robot || trips_[place].parked) return false;
   if (!is_judged(robot)) return false;

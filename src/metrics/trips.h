@@ -30,7 +30,7 @@ class Trips {
   [[nodiscard]] bool all_arrived() const;
   [[nodiscard]] bool is_judged(std::uint64_t robot) const;
   /// Returns whether the trip of that robot went on in the last step, and is judged.
-  [[nodiscard]] bool is_under_way(std::uint64_t robot) const;
+  [[nodiscard]] bool is_travelling(std::uint64_t robot) const;
   /// s; none if it has not arrived, or was never seen.
   [[nodiscard]] std::optional<double> arrival(std::uint64_t robot) const;
   /// Writes the results of the trips into the metrics.

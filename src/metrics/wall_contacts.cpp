@@ -38,7 +38,7 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
   if (walls.empty() || robots.empty()) return;
   double least = least_clearance.value_or(std::numeric_limits<double>::infinity());
   double reach = 0.0, thickest = 0.0;  // m
-  for (const Body& robot : robots) reach = std::max(reach, robot.radius + way_of(robot));
+  for (const Body& robot : robots) reach = std::max(reach, robot.radius + path_length(robot));
   for (std::size_t k = 0; k < walls.size(); ++k) {
     const Wall& wall = walls[k];
     thickest = std::max(thickest, wall.radius);
@@ -64,7 +64,7 @@ void WallContacts::observe(std::span<const Body> robots, const std::optional<Res
       const Segment segment{walls[k].a, walls[k].b};
       const double contact = robot.radius + walls[k].radius;
       const double cutoff = contact + std::max(least, 0.0);
-      if (distance(robot.position, segment) - way_of(robot) > cutoff) continue;
+      if (distance(robot.position, segment) - path_length(robot) > cutoff) continue;
       const double nearest = separation_from(robot, segment, cutoff);
       least = std::min(least, nearest - contact);
       if (!(nearest < contact * (1.0 - kContact))) continue;

@@ -89,8 +89,8 @@ std::optional<CornerGraph::SomeEdges> edges_left(const CornerGraph& before,
   }
   left.edges.reach = known->reach;
   for (const CornerGraph::Edge& edge : known->all) {
-    const Vec2 way = before.points[edge.to] - before.points[old];
-    if (left.open[Horizons::sector_of(way)]) continue;
+    const Vec2 line = before.points[edge.to] - before.points[old];
+    if (left.open[Horizons::sector_of(line)]) continue;
     if (carried.number[edge.to] == kNoCorner) return std::nullopt;
     left.edges.all.push_back({carried.number[edge.to], edge.length});
   }

@@ -21,25 +21,26 @@ double distance_squared(Vec2 p, const Segment& segment) {
 }
 
 // Returns whether the segment comes nearer than `limit` to the wall's middle line.
-bool comes_nearer(const Segment& way, const Wall& wall, double limit) {
+bool comes_nearer(const Segment& path, const Wall& wall, double limit) {
   const auto apart = [limit](double a, double b, double c, double d) {
     return std::min(a, b) - std::max(c, d) >= limit || std::min(c, d) - std::max(a, b) >= limit;
   };
-  if (apart(way.a.x, way.b.x, wall.a.x, wall.b.x)) return false;
-  if (apart(way.a.y, way.b.y, wall.a.y, wall.b.y)) return false;
+  if (apart(path.a.x, path.b.x, wall.a.x, wall.b.x)) return false;
+  if (apart(path.a.y, path.b.y, wall.a.y, wall.b.y)) return false;
   // both ends are beyond the limit on one side of the segment's line
-  const Vec2 d = way.b - way.a, e = wall.b - wall.a;
-  const double one = cross(d, wall.a - way.a), other = cross(d, wall.b - way.a);
+  const Vec2 d = path.b - path.a, e = wall.b - wall.a;
+  const double one = cross(d, wall.a - path.a), other = cross(d, wall.b - path.a);
   const double limit_squared = limit * limit;
   const double aside = limit_squared * norm_squared(d) * (1.0 + kLengthRounding);
   if (one * other > 0.0 && one * one > aside && other * other > aside) return false;
   const Segment line{wall.a, wall.b};
   const auto differ = [](double s, double t) { return (s < 0.0) != (t < 0.0); };
-  if (differ(one, other) && differ(cross(e, way.a - line.a), cross(e, way.b - line.a))) return true;
-  if (distance_squared(wall.a, way) < limit_squared) return true;
-  if (distance_squared(wall.b, way) < limit_squared) return true;
-  if (distance_squared(way.a, line) < limit_squared) return true;
-  return distance_squared(way.b, line) < limit_squared;
+  if (differ(one, other) && differ(cross(e, path.a - line.a), cross(e, path.b - line.a)))
+    return true;
+  if (distance_squared(wall.a, path) < limit_squared) return true;
+  if (distance_squared(wall.b, path) < limit_squared) return true;
+  if (distance_squared(path.a, line) < limit_squared) return true;
+  return distance_squared(path.b, line) < limit_squared;
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ double widest_of(std::span<const Wall> walls) {
   return widest;
 }
 
-bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room) {
+bool blocks(const Wall& wall, Vec2 p, Vec2 q, double room) {
   return comes_nearer({p, q}, wall, room + wall.radius);
 }
 
@@ -74,13 +75,13 @@ bool ClearanceGrid::has_room(Vec2 p, double room) const {
 }
 
 bool ClearanceGrid::is_clear(Vec2 p, Vec2 q, double room) const {
-  return all_near(p, q, [&](std::size_t k) { return !is_in_the_way(walls()[k], p, q, room); });
+  return all_near(p, q, [&](std::size_t k) { return !blocks(walls()[k], p, q, room); });
 }
 
-const Wall* ClearanceGrid::in_the_way(Vec2 p, Vec2 q, double room) const {
+const Wall* ClearanceGrid::blocker(Vec2 p, Vec2 q, double room) const {
   const Wall* wall = nullptr;
   all_near(p, q, [&](std::size_t k) {
-    if (is_in_the_way(walls()[k], p, q, room)) wall = &walls()[k];
+    if (blocks(walls()[k], p, q, room)) wall = &walls()[k];
     return wall == nullptr;
   });
   return wall;

@@ -14,7 +14,7 @@ inline constexpr double kLengthRounding = 1e-9;  // of a length, more than its r
 double widest_of(std::span<const Wall> walls);
 
 /// Returns whether the wall's surface is nearer than `room` to the segment from p to q.
-bool is_in_the_way(const Wall& wall, Vec2 p, Vec2 q, double room);
+bool blocks(const Wall& wall, Vec2 p, Vec2 q, double room);
 
 /// Walls that are found within `reach` of their surfaces.
 class ClearanceGrid : public SegmentGrid {
@@ -31,7 +31,7 @@ class ClearanceGrid : public SegmentGrid {
   /// Returns whether no wall's surface is nearer than `room` <= reach() to the segment from p to q.
   [[nodiscard]] bool is_clear(Vec2 p, Vec2 q, double room) const;
   /// A wall with a surface nearer than `room`; nothing if the segment is clear.
-  [[nodiscard]] const Wall* in_the_way(Vec2 p, Vec2 q, double room) const;
+  [[nodiscard]] const Wall* blocker(Vec2 p, Vec2 q, double room) const;
 
  private:
   double reach_ = 0.0;

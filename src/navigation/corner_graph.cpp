@@ -52,12 +52,12 @@ CornerGraph::Edges edges_from(const CornerGraph& graph, std::uint32_t i,
   if (known != nullptr) horizons.close_all_but(known->open), edges = known->edges.all;
   const double most_lean = graph.most_lean[i] * (1.0 + kLengthRounding);
   graph.view.look(p, horizons, [&](std::uint32_t k, Vec2 q) {
-    const Vec2 way = q - p;
-    const double lean = dot(graph.outward[i], way);
-    if (lean * lean > most_lean * most_lean * norm_squared(way) || horizons.is_hidden(q)) return;
-    const double length = norm(way);
+    const Vec2 line = q - p;
+    const double lean = dot(graph.outward[i], line);
+    if (lean * lean > most_lean * most_lean * norm_squared(line) || horizons.is_hidden(q)) return;
+    const double length = norm(line);
     if (!(length > 0.0)) return;
-    const std::size_t sector = Horizons::sector_of(way);
+    const std::size_t sector = Horizons::sector_of(line);
     CornerGraph::Edge& best = farther[sector];
     const bool is_near = length <= graph.all_within;
     if (!is_near && (length > best.length || (length == best.length && k > best.to))) return;

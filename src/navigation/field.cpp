@@ -65,8 +65,8 @@ class Wave {
   void hand_on(std::uint32_t from, std::uint32_t to) {
     if (from == to) return;
     const std::uint32_t next = map_.next[from];
-    const double way = norm(point_of(graph_, map_, next) - graph_.points[to]);
-    const bool is_near = way <= kFarthest * graph_.radius;
+    const double piece = norm(point_of(graph_, map_, next) - graph_.points[to]);
+    const bool is_near = piece <= kFarthest * graph_.radius;
     if (is_near && offer(to, next) && !graph_.is_corner(from)) return;
     offer(to, from);
   }
@@ -75,13 +75,13 @@ class Wave {
   bool offer(std::uint32_t to, std::uint32_t bend) {
     const bool is_goal = bend == PathMap::kGoal;
     const Vec2 q = is_goal ? map_.goal : graph_.points[bend];
-    const double way = norm(graph_.points[to] - q);
-    const double length = (is_goal ? 0.0 : length_[bend]) + way;
+    const double piece = norm(graph_.points[to] - q);
+    const double length = (is_goal ? 0.0 : length_[bend]) + piece;
     if (!(length < length_[to])) return true;
     if (unseen_[to] == bend) return false;
     const double room = is_goal ? map_.room : graph_.room[bend];
     const bool is_turn = !is_goal && graph_.is_corner(bend) && graph_.is_corner(to);
-    if (is_turn && !graph_.may_bend(to, (graph_.points[to] - q) / way)) return true;
+    if (is_turn && !graph_.may_bend(to, (graph_.points[to] - q) / piece)) return true;
     if (!map_.is_open(q, graph_.points[to]) ||
         !graph_.grid.is_clear(q, graph_.points[to], std::min(room, graph_.room[to]))) {
       unseen_[to] = bend;

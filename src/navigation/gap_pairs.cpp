@@ -98,9 +98,10 @@ class GapPairing {
   }
   bool stays(std::uint32_t i, std::uint32_t k) const {
     if (is_new_[i] != 0 || is_new_[k] != 0) return false;
-    const Segment way{found_.gaps[i].middle(), found_.gaps[k].middle()};
-    return std::none_of(changed_.begin(), changed_.end(),
-                        [&](const Zone& zone) { return distance(zone.center, way) <= zone.reach; });
+    const Segment line{found_.gaps[i].middle(), found_.gaps[k].middle()};
+    return std::none_of(changed_.begin(), changed_.end(), [&](const Zone& zone) {
+      return distance(zone.center, line) <= zone.reach;
+    });
   }
 
   // Returns whether a wall is nearer than that; most often it is the one of the test before.
@@ -144,8 +145,8 @@ class GapPairing {
 
   // Returns whether there is so much room at p, or beside it: free space along a wall is not narrow
   // for that reason.
-  bool is_wide(Vec2 p, Vec2 way, double room) {
-    const Vec2 left = (room / norm(way)) * perpendicular(way);
+  bool is_wide(Vec2 p, Vec2 line, double room) {
+    const Vec2 left = (room / norm(line)) * perpendicular(line);
     for (const Vec2 place : {p, p + left, p - left}) {
       if (sight_->is_clear(p, place, joint_) && !is_nearer_wall(place, room)) return true;
     }

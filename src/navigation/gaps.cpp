@@ -84,20 +84,20 @@ class GapFinder {
     if (is_second && wall.a == wall.b) return;
     const Vec2 end = is_second ? wall.b : wall.a, from = is_second ? wall.a : wall.b;
     if (!goes_on(wall, from, end)) add_at(end, wall.radius);
-    told_.kind.resize(told_.all.size(), ToldGaps::Kind::way);
+    told_.kind.resize(told_.all.size(), ToldGaps::Kind::open);
   }
 
   // Returns whether other walls, at least as thick, lead straight on from the wall's end. Then
   // nothing is narrowest there, and the number of pieces of a wall makes no difference.
   bool goes_on(const Wall& wall, Vec2 from, Vec2 end) const {
-    const Vec2 way = end - from;
+    const Vec2 line = end - from;
     return !joints_.all_near(end, end, [&](std::size_t k) {
       const Wall& other = grid_.walls()[k];
       if (other.radius < wall.radius || distance(end, {other.a, other.b}) > touching_) return true;
       const auto leads_on = [&](Vec2 to) {
         const Vec2 on = to - end;
-        return !is_joined(to, end) && dot(on, way) > 0.0 &&
-               std::abs(cross(on, way)) <= kStraight * norm(on) * norm(way);
+        return !is_joined(to, end) && dot(on, line) > 0.0 &&
+               std::abs(cross(on, line)) <= kStraight * norm(on) * norm(line);
       };
       return !leads_on(other.a) && !leads_on(other.b);
     });
@@ -118,16 +118,16 @@ class GapFinder {
       const Wall& wall = grid_.walls()[k];
       if (wall.radius < end_radius) return true;
       if (wall.a == end || wall.b == end) {
-        const Vec2 way = wall.a == end ? wall.b - end : wall.a - end;
-        if (norm(way) > touching_) leaving_.push_back(way / norm(way));
+        const Vec2 line = wall.a == end ? wall.b - end : wall.a - end;
+        if (norm(line) > touching_) leaving_.push_back(line / norm(line));
       }
       return true;
     });
   }
   bool is_ahead(const Wall& wall, Vec2 end, double farthest) const {
     const double least = kLeadsInto * farthest;
-    return std::any_of(leaving_.begin(), leaving_.end(), [&](Vec2 way) {
-      return dot(way, wall.a - end) > least && dot(way, wall.b - end) > least;
+    return std::any_of(leaving_.begin(), leaving_.end(), [&](Vec2 line) {
+      return dot(line, wall.a - end) > least && dot(line, wall.b - end) > least;
     });
   }
 
@@ -224,7 +224,7 @@ class GapFinder {
       return nearest_points({gap.a, gap.b}, {other.a, other.b}).distance > 0.0;
     });
     if (!is_narrowest) return ToldGaps::Kind::left_out;
-    return leads_into_pocket(grid_, gap) ? ToldGaps::Kind::pocket : ToldGaps::Kind::way;
+    return leads_into_pocket(grid_, gap) ? ToldGaps::Kind::pocket : ToldGaps::Kind::open;
   }
 
   const ClearanceGrid& grid_;

@@ -27,7 +27,7 @@ struct Gap {
 /// The gaps at ends of walls.
 struct ToldGaps {
   enum class Kind : std::uint8_t {
-    way,
+    open,
     pocket,    ///< behind it there is room for a robot, and no route on
     left_out,  ///< it was found twice, or a gap that is no wider crosses it
   };

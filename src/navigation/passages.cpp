@@ -51,14 +51,14 @@ std::uint64_t hash_of(const Passage& passage) {
 }
 
 // The gaps that lead somewhere, and the number of each found gap among them.
-std::vector<Gap> ways_of(const ToldGaps& told, std::vector<std::uint32_t>& number) {
-  std::vector<Gap> ways;
+std::vector<Gap> open_gaps(const ToldGaps& told, std::vector<std::uint32_t>& number) {
+  std::vector<Gap> open;
   number.assign(told.all.size(), kNoGap);
-  for (const std::uint32_t k : told.numbers_of(ToldGaps::Kind::way)) {
-    number[k] = static_cast<std::uint32_t>(ways.size());
-    ways.push_back(told.all[k]);
+  for (const std::uint32_t k : told.numbers_of(ToldGaps::Kind::open)) {
+    number[k] = static_cast<std::uint32_t>(open.size());
+    open.push_back(told.all[k]);
   }
-  return ways;
+  return open;
 }
 
 }  // namespace
@@ -125,9 +125,9 @@ void Passages::find(const Passages* before, double watched) {
     all_ = join_gaps(pairs_, lines, passage_of);
     keep_bays(grid, *before, changes.around(grid.reach()));
   } else {
-    std::vector<std::uint32_t> way_of;
+    std::vector<std::uint32_t> open_of;
     told_ = tell_gaps(grid, radii_);
-    pairs_ = pair_gaps(grid, ways_of(told_, way_of));
+    pairs_ = pair_gaps(grid, open_gaps(told_, open_of));
     all_ = join_gaps(pairs_, lines, passage_of);
     choose_bays(grid);
   }
@@ -140,16 +140,16 @@ void Passages::find(const Passages* before, double watched) {
 
 void Passages::find_pairs(const ClearanceGrid& grid, const Passages& before,
                           const WallChanges& changes) {
-  std::vector<std::uint32_t> told_now, way_of, old_way_of;
+  std::vector<std::uint32_t> told_now, open_of, old_open_of;
   told_ = tell_gaps(grid, radii_, before.told_, changes, told_now);
-  std::vector<Gap> ways = ways_of(told_, way_of);
-  (void)ways_of(before.told_, old_way_of);
-  std::vector<std::uint32_t> way_now(before.pairs_.gaps.size(), kNoGap);
+  std::vector<Gap> open = open_gaps(told_, open_of);
+  (void)open_gaps(before.told_, old_open_of);
+  std::vector<std::uint32_t> open_now(before.pairs_.gaps.size(), kNoGap);
   for (std::size_t k = 0; k < told_now.size(); ++k) {
-    const std::uint32_t old = old_way_of[k], now = told_now[k];
-    if (old != kNoGap && now != kNoGap) way_now[old] = way_of[now];
+    const std::uint32_t old = old_open_of[k], now = told_now[k];
+    if (old != kNoGap && now != kNoGap) open_now[old] = open_of[now];
   }
-  pairs_ = pair_gaps(grid, std::move(ways), before.pairs_, changes, way_now);
+  pairs_ = pair_gaps(grid, std::move(open), before.pairs_, changes, open_now);
 }
 
 void Passages::choose_bays(const ClearanceGrid& grid) {

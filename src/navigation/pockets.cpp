@@ -20,11 +20,11 @@ bool leads_into_pocket(const ClearanceGrid& grid, const Gap& gap) {
   const Vec2 middle = gap.middle();
   for (const Vec2 ahead : {gap.ahead(), -1.0 * gap.ahead()}) {
     const Vec2 inside = middle + kPocket * gap.radius * ahead, left = perpendicular(ahead);
-    const std::array ways{ahead, left, -1.0 * left, (ahead + left) / std::numbers::sqrt2,
-                          (ahead - left) / std::numbers::sqrt2};
+    const std::array directions{ahead, left, -1.0 * left, (ahead + left) / std::numbers::sqrt2,
+                                (ahead - left) / std::numbers::sqrt2};
     const bool has_room = grid.is_clear(middle, inside, room);
-    if (has_room && std::none_of(ways.begin(), ways.end(), [&](Vec2 way) {
-          return grid.is_clear(inside, inside + farther * way, room);
+    if (has_room && std::none_of(directions.begin(), directions.end(), [&](Vec2 direction) {
+          return grid.is_clear(inside, inside + farther * direction, room);
         }))
       return true;
   }

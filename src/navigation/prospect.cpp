@@ -33,14 +33,14 @@ std::optional<Claim> claim_inside(const Passage& passage, std::uint32_t number, 
 // The claim of the passage that the route leads through next, and the route length to it.
 template <typename Walk>
 std::optional<Claim> claim_outside(const Passages& passages, Vec2 p, const Walk& walk_on,
-                                   double& way) {
+                                   double& length) {
   std::optional<Claim> claim;
   walk_on([&](const RoutePiece& piece) {
     const auto crossed = passages.first_crossed(piece.from, piece.to);
     if (!crossed) return true;
     const Vec2 mouth = axis_point(passages[crossed->passage], crossed->forward, 0.0).point;
     claim = Claim{crossed->passage, crossed->forward, false, norm(mouth - p)};
-    way = piece.before + crossed->part * piece.length;
+    length = piece.before + crossed->part * piece.length;
     return false;
   });
   return claim;
@@ -64,9 +64,9 @@ Prospect look_ahead(const Passages& passages, const CornerGraph& graph, const Pa
   const auto walk_on = [&](const auto& visit) {
     walk_route(graph, map, p, target, farthest, visit);
   };
-  double way = 0.0;
-  prospect.claim = claim_outside(passages, p, walk_on, way);
-  if (!prospect.claim || way > kLeavesLane * graph.radius)
+  double length = 0.0;
+  prospect.claim = claim_outside(passages, p, walk_on, length);
+  if (!prospect.claim || length > kLeavesLane * graph.radius)
     prospect.lane = lane_ahead(passages, graph, map, p, target, reach);
   return prospect;
 }

@@ -112,11 +112,11 @@ std::optional<Vec2> ReachablePlaces::nearest_accepted(Vec2 from, Vec2 goal,
   std::make_heap(open.begin(), open.end(), std::greater<>());
   std::optional<Vec2> best;
   // m, to the goal; m, from the disc
-  double least = std::numeric_limits<double>::infinity(), way = least;
+  double least = std::numeric_limits<double>::infinity(), least_far = least;
   const auto consider = [&](Vec2 point, const auto& is_accepted) {
     const double away = norm(goal - point), far = norm(point - from);
-    const bool is_nearer = away < least - tie || (away <= least + tie && far < way);
-    if (is_nearer && is_accepted()) best = point, least = std::min(least, away), way = far;
+    const bool is_nearer = away < least - tie || (away <= least + tie && far < least_far);
+    if (is_nearer && is_accepted()) best = point, least = std::min(least, away), least_far = far;
   };
   while (!open.empty() && open.front().first <= least + tie) {
     const std::uint32_t wall = open.front().second;
@@ -139,7 +139,7 @@ std::optional<Vec2> ReachablePlaces::nearest_accepted(Vec2 from, Vec2 goal,
 }
 
 // The nearest free place, with no middle line of a wall between.
-std::optional<Vec2> ReachablePlaces::way_out(Vec2 from) {
+std::optional<Vec2> ReachablePlaces::nearest_free(Vec2 from) {
   return nearest_accepted(from, from, std::nullopt, [&](Vec2 point) {
     return space_.grid().all_near(from, point, [&](std::size_t k) {
       const Wall& wall = space_.grid().walls()[k];
@@ -150,7 +150,7 @@ std::optional<Vec2> ReachablePlaces::way_out(Vec2 from) {
 
 Vec2 ReachablePlaces::nearest_reached(Vec2 from, Vec2 goal) {
   if (is_free(goal) && are_connected(from, goal)) return goal;
-  const std::optional<Vec2> start = is_free(from) ? from : way_out(from);
+  const std::optional<Vec2> start = is_free(from) ? from : nearest_free(from);
   if (!start) return from;
   const std::uint32_t region = region_of(*start);
   if (is_free(goal) && region_of(goal) == region) return goal;

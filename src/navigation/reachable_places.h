@@ -40,7 +40,7 @@ class ReachablePlaces {
   };
   std::uint32_t region_of(Vec2 p);  // of a free place; equal for connected places
   const FreeBoundary& boundary_of(std::uint32_t wall);
-  std::optional<Vec2> way_out(Vec2 from);
+  std::optional<Vec2> nearest_free(Vec2 from);
   template <typename Accepts>
   std::optional<Vec2> nearest_accepted(Vec2 from, Vec2 goal, std::optional<std::uint32_t> region,
                                        const Accepts& accepts);

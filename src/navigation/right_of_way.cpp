@@ -39,10 +39,10 @@ std::optional<Claim> seen_claim(const Passage& passage, std::uint32_t number, Ve
   }
   const Vec2 front = passage.axis.front(), back = passage.axis.back();
   const bool is_first_near = norm_squared(position - front) < norm_squared(position - back);
-  const Vec2 way = (is_first_near ? front : back) - position;
-  const double towards = dot(velocity, way), range = kClaimRange * passage.radius;
-  if (!(towards > 0.0) || norm_squared(way) > range * range) return {};
-  const double distance = norm(way);
+  const Vec2 to_mouth = (is_first_near ? front : back) - position;
+  const double towards = dot(velocity, to_mouth), range = kClaimRange * passage.radius;
+  if (!(towards > 0.0) || norm_squared(to_mouth) > range * range) return {};
+  const double distance = norm(to_mouth);
   if (!(towards > distance * std::max(least, kTowards * norm(velocity)))) return {};
   return Claim{number, is_first_near, false, distance};
 }

@@ -47,9 +47,9 @@ void visit_bends(const WallBoundary& boundary, const Visit& visit) {
 template <typename Visit>
 void visit_feet(const WallBoundary& boundary, Vec2 goal, Vec2 towards, const Visit& visit) {
   for (const Vec2 center : {boundary.wall.a, boundary.wall.b}) {
-    const Vec2 way = goal == center ? towards - center : goal - center;
-    const double distance = norm(way);
-    if (distance > 0.0) visit(center + (boundary.reach / distance) * way);
+    const Vec2 line = goal == center ? towards - center : goal - center;
+    const double distance = norm(line);
+    if (distance > 0.0) visit(center + (boundary.reach / distance) * line);
     if (boundary.is_disc) return;
   }
   for (const Segment& side : boundary.sides) visit(nearest_on(side, goal));
@@ -59,15 +59,15 @@ void visit_feet(const WallBoundary& boundary, Vec2 goal, Vec2 towards, const Vis
 template <typename Visit>
 void visit_crossings(Vec2 center, double radius, Vec2 other_center, double other_radius,
                      const Visit& visit) {
-  const Vec2 way = other_center - center;
-  const double distance_squared = norm_squared(way), distance = std::sqrt(distance_squared);
+  const Vec2 line = other_center - center;
+  const double distance_squared = norm_squared(line), distance = std::sqrt(distance_squared);
   if (!(distance > 0.0)) return;
   const double along =
       0.5 * (distance_squared + (radius - other_radius) * (radius + other_radius)) / distance;
   const double aside_squared = (radius - along) * (radius + along);
   if (!(aside_squared >= 0.0)) return;
-  const Vec2 middle = center + (along / distance) * way;
-  const Vec2 aside = (std::sqrt(aside_squared) / distance) * perpendicular(way);
+  const Vec2 middle = center + (along / distance) * line;
+  const Vec2 aside = (std::sqrt(aside_squared) / distance) * perpendicular(line);
   visit(middle + aside), visit(middle - aside);
 }
 

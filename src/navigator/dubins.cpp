@@ -33,9 +33,9 @@ struct Normal {
   double together = 0.0;  // cosine of a - b
 
   explicit Normal(const Pose& from, const Pose& to, double radius) {
-    const Vec2 way = to.place - from.place;
-    const double along = elementary::atan2(way.y, way.x);
-    d = norm(way) / radius, a = positive(from.heading - along), b = positive(to.heading - along);
+    const Vec2 line = to.place - from.place;
+    const double along = elementary::atan2(line.y, line.x);
+    d = norm(line) / radius, a = positive(from.heading - along), b = positive(to.heading - along);
     of_a = elementary::direction(a), of_b = elementary::direction(b), together = dot(of_a, of_b);
   }
 };

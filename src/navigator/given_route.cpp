@@ -77,11 +77,11 @@ Heading heading_along(const Follower& robot, double speed, double ahead, Vec2 en
   const bool is_directed = on.is_last() && end_direction != Vec2{};
   Vec2 aim = on.route->rounded.at(std::min(on.along + ahead, until));
   if (is_directed) aim = aim + beyond * end_direction;
-  const Vec2 way = aim - robot.place;
-  const double distance = norm(way), to_stop = until - on.along;
+  const Vec2 to_aim = aim - robot.place;
+  const double distance = norm(to_aim), to_stop = until - on.along;
   const bool is_last = !(distance > 0.0) || (beyond > 0.0 && !is_directed);
   const double left = is_directed ? to_stop : std::max(to_stop, distance);
-  return {.goal = is_last ? aim : robot.place + (left / distance) * way,
+  return {.goal = is_last ? aim : robot.place + (left / distance) * to_aim,
           .preferred_speed = speed,
           .next = aim};
 }

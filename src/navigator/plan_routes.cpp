@@ -53,9 +53,9 @@ void append_way(NavigatorState& state, const Robot& robot, Vec2 to, Memory& memo
 }
 
 bool is_clear(const NavigatorState& state, const Robot& robot, Vec2 from, Vec2 to) {
-  const Segment way{from, to};
+  const Segment line{from, to};
   return std::all_of(state.map.begin(), state.map.end(), [&](const Wall& wall) {
-    return distance(way, {wall.a, wall.b}) > robot.radius + wall.radius;
+    return distance(line, {wall.a, wall.b}) > robot.radius + wall.radius;
   });
 }
 

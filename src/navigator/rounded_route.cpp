@@ -43,7 +43,7 @@ RoundedRoute::RoundedRoute(std::span<const RoutePoint> points, const Rounding& r
   points_.push_back(0.0);
   Vec2 from = start_;
   for (std::size_t k = 1; k < points.size(); ++k) {
-    const Vec2 corner = points[k].place, way = corner - points[k - 1].place;
+    const Vec2 corner = points[k].place, incoming = corner - points[k - 1].place;
     if (k + 1 == points.size() || points[k].stops) {
       add_line(from, corner);
       points_.push_back(length_);
@@ -51,8 +51,9 @@ RoundedRoute::RoundedRoute(std::span<const RoutePoint> points, const Rounding& r
       continue;
     }
     const Vec2 on = points[k + 1].place - corner;
-    const double piece = norm(way), next = norm(on);
-    from = add_corner(from, corner, way / piece, on / next, 0.5 * std::min(piece, next), rounding);
+    const double piece = norm(incoming), next = norm(on);
+    from = add_corner(from, corner, incoming / piece, on / next, 0.5 * std::min(piece, next),
+                      rounding);
   }
 }
 

@@ -119,26 +119,26 @@ AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseA
                                         const ResponseTable& table) {
   const Horn<Real> shape = horn_of(pair);
   const At<Real> end = constant<Real>(horizon_end);
-  const SearchSpan<Real> way = passage(shape, horizon_end, table);
+  const SearchSpan<Real> span = passage(shape, horizon_end, table);
   Hull<Real, 1> hull = hull_of<1>(shape, end, horizon_end);
   // |b| <= |x|/g: a near side that is in reach at the end has crossed
   const Real reach = pair.R * end.gain;
   auto has_crossing =
-      way.crosses | ((norm(pair.x(end)) <= reach) & (shape.speed <= pair.R * end.rate));
+      span.crosses | ((norm(pair.x(end)) <= reach) & (shape.speed <= pair.R * end.rate));
   if (any(!has_crossing)) {
     const auto crossed = near_side(shape, end, table).b2 <= reach * reach;
-    has_crossing = (has_crossing | crossed) & (way.first < end.time);
+    has_crossing = (has_crossing | crossed) & (span.first < end.time);
   }
   hull.has_crossing[0] = has_crossing;
   const HornCrossing<Real> cross = crossing(
-      shape, {way.first, way.last, first_time(shape, table), Real(1.0), Real(kTimeTolerance)},
-      table, has_crossing & way.once & way.ordinary);
+      shape, {span.first, span.last, first_time(shape, table), Real(1.0), Real(kTimeTolerance)},
+      table, has_crossing & span.once & span.ordinary);
   hull.crossing[0] = circle_points(shape, at(table, cross.time)).near;
   HornPlane<Real> result;
   result.plane = least_support(hull);
   result.free = !(hull.disc_in_reach | has_crossing);
   result.settled =
-      way.once & way.ordinary &
+      span.once & span.ordinary &
       ((hull.disc_in_reach & ((cross.tangential >= Real(0.0)) | (!has_crossing))) | result.free);
   return result;
 }

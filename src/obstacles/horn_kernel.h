@@ -19,8 +19,8 @@ struct Horn {
   Real speed, per_speed, z, miss;  // |v|, 1/|v|, p . v/|v|, m; |p x v|/|v|, m
   Real closest, gap2, gap;         // closest² - r², m², and its root
 
-  AVO_KERNEL Real rise(Real way) const {
-    const Real w = way + min(z, Real(0.0));
+  AVO_KERNEL Real rise(Real covered) const {
+    const Real w = covered + min(z, Real(0.0));
     return w * (w + Real(2.0) * max(z, Real(0.0)));
   }
 };
@@ -59,8 +59,8 @@ AVO_KERNEL NearSide<Real> near_side(const Horn<Real>& horn, const At<Real>& at,
   NearSide<Real> side;
   side.at = at;
   side.lead = at.gain * at.per_rate;
-  const Real r = horn.pair.r, ahead = horn.speed * side.lead, way = horn.speed * at.lag;
-  const Real rise = horn.rise(way), m = way + horn.z;
+  const Real r = horn.pair.r, ahead = horn.speed * side.lead, covered = horn.speed * at.lag;
+  const Real rise = horn.rise(covered), m = covered + horn.z;
   side.l2 = max(Real(0.0), horn.gap2 + rise);
   side.l = sqrt(side.l2);
   side.per_y2 = inverse(horn.closest * horn.closest + rise);

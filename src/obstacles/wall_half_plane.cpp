@@ -112,13 +112,13 @@ std::optional<ResponseAt> turning_instant(const WallSide& side, const Horizon& h
   // any instant of the side gives a sound line, so that the last one will do
   ResponseAt at = horizon.at(kShortest * high);
   for (int i = 0; i < kMaxIterations; ++i) {
-    const auto [way, rate] = ahead(at);
-    (way < 0.0 ? low : high) = at.time;
-    bracketed = bracketed || !(way < 0.0);
-    double next = at.time - way / (rate > 0.0 ? rate : side.speed);
+    const auto [left, rate] = ahead(at);
+    (left < 0.0 ? low : high) = at.time;
+    bracketed = bracketed || !(left < 0.0);
+    double next = at.time - left / (rate > 0.0 ? rate : side.speed);
     if (std::abs(next - at.time) <= kConvexTolerance * at.time) break;
     if (!(next > low && next < high))
-      next = bracketed ? 0.5 * (low + high) : at.time - way / side.speed;
+      next = bracketed ? 0.5 * (low + high) : at.time - left / side.speed;
     if (!(next < high)) return {};
     at = horizon.at(next);
   }

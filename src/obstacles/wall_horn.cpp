@@ -86,8 +86,8 @@ void add_cuts(Vec2 from, Vec2 to, WallHull& hull) {
   const double foot = -dot(from, e), miss = std::abs(cross(e, from));
   if (!(miss < hull.R)) return;
   const double half = std::sqrt((hull.R - miss) * (hull.R + miss));
-  for (const double way : {foot - half, foot + half}) {
-    if (way >= 0.0 && way <= length) hull.add(from + way * e);
+  for (const double place : {foot - half, foot + half}) {
+    if (place >= 0.0 && place <= length) hull.add(from + place * e);
   }
 }
 

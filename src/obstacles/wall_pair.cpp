@@ -24,11 +24,11 @@ WallPair relative(const Robot& robot, const Wall& wall) {
           robot.radius + wall.radius};
 }
 
-Vec2 away_from_wall(const WallPair& pair, Vec2 way) {
-  const Vec2 x = pair.from_a + way, along = pair.from_a - pair.from_b;
+Vec2 away_from_wall(const WallPair& pair, Vec2 moved) {
+  const Vec2 x = pair.from_a + moved, along = pair.from_a - pair.from_b;
   const double foot = dot(x, along), length_squared = norm_squared(along);
   if (!(foot > 0.0)) return x;
-  if (!(foot < length_squared)) return pair.from_b + way;
+  if (!(foot < length_squared)) return pair.from_b + moved;
   return (cross(along, x) / length_squared) * perpendicular(along);
 }
 

@@ -13,7 +13,7 @@ inline std::array<Vec2, 2> ends_of(const WallPair& pair) {
 }
 
 /// m, from the nearest point of the wall to the robot's place after that displacement.
-Vec2 away_from_wall(const WallPair& pair, Vec2 way);
+Vec2 away_from_wall(const WallPair& pair, Vec2 moved);
 
 /// m, from the nearest point of the wall to that of the ray on which the robot keeps its velocity;
 /// 0 where the ray crosses the wall.

@@ -61,7 +61,7 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
   const Vec<Real> p = constant<Real>(robots.position(i)), v = constant<Real>(robots.velocity(i));
   const Vec2 preferred{robots.preferred_x[i], robots.preferred_y[i]};
   const double pace = norm(preferred);
-  const Vec<Real> way = constant<Real>(preferred);
+  const Vec<Real> preferred_velocity = constant<Real>(preferred);
   const Real per_front(pace > 0.0 ? 1.0 / (kInFront * pace) : 0.0);
   const Real priority = robots.priority[i];
   const bool has_priorities = columns.has_priorities || robots.priority[i] != 1.0;
@@ -82,7 +82,7 @@ AVO_KERNEL Traffic look_around(const RobotColumns& robots, std::size_t i, double
     // before its front
     const Real closes = one + per_distance * dot(towards, v - velocity) * per_closing;
     const Real rests = Real(2.0) - norm(velocity) * per_slow;
-    const Real in_front = per_distance * dot(towards, way) * per_front;
+    const Real in_front = per_distance * dot(towards, preferred_velocity) * per_front;
     const auto near = (squared < range_squared) & (in_front > zero);
     Real weight =
         (one - per_range * distance) * min(max(max(closes, rests), zero), one) * min(in_front, one);
@@ -144,7 +144,7 @@ template <typename Real>
 void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
   for (std::size_t i = 0; i < robots.count; i += Real::kLanes) {
     const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
-    const Vec<Real> way{load(robots.preferred_x), load(robots.preferred_y)};
+    const Vec<Real> preferred_velocity{load(robots.preferred_x), load(robots.preferred_y)};
     const Real ahead = load(columns.ahead);
     const Real braking = min(load(robots.max_acceleration), load(robots.max_braking));
     const Real stopping = stopping_distance(load(robots.max_speed), braking);
@@ -152,7 +152,8 @@ void keep_right(const RobotColumns& robots, DecisionColumns& columns) {
     const Real left = (load(robots.distance_to_goal) - stopping) / stopping;
     const Real part = min(left, Real(1.0)) * min(ahead, Real(kCongestion)) / Real(kCongestion);
     const auto turns = (left > Real(0.0)) & (ahead > Real(0.0));
-    const Vec<Real> wish = select(turns, turned_right(way, part * Real(kMostKeepRight)), way);
+    const Vec<Real> wish = select(
+        turns, turned_right(preferred_velocity, part * Real(kMostKeepRight)), preferred_velocity);
     wish.x.store(&columns.wish_x[i]);
     wish.y.store(&columns.wish_y[i]);
   }

@@ -49,9 +49,9 @@ int heaviest(const Neighbors& neighbors, const Weight& weight) {
 // The nearest neighbor ahead, within the range of the rule (m).
 int nearest_ahead(const Robot& robot, const Neighbors& neighbors, double range) {
   return heaviest(neighbors, [&](const Neighbor& neighbor) {
-    const Vec2 towards = neighbor.position - robot.position, way = robot.preferred_velocity;
+    const Vec2 towards = neighbor.position - robot.position, preferred = robot.preferred_velocity;
     const double distance = norm(towards);
-    const bool is_ahead = dot(towards, way) > kInFront * distance * norm(way);
+    const bool is_ahead = dot(towards, preferred) > kInFront * distance * norm(preferred);
     return is_ahead && distance > 0.0 && distance < range ? 1.0 / distance : 0.0;
   });
 }

@@ -43,13 +43,13 @@ FlightStep hold_circle(const Airplane& airplane, const MotionState& state, doubl
   const Vec2 out = state.position - circle.center;
   const Vec2 next = turned(out / norm(out), elementary::direction(-turn));
   FlightStep step;
-  step.way = {state.position, ahead_of(state.heading), -1.0 / circle.radius, length};
-  step.chord = chord(step.way);
+  step.arc = {state.position, ahead_of(state.heading), -1.0 / circle.radius, length};
+  step.chord = chord(step.arc);
   step.motion.next = {
       circle.center + circle.radius * next, {}, elementary::atan2(-next.x, next.y), circle};
   step.motion.next.velocity = speed * elementary::direction(step.motion.next.heading);
   step.motion.acceleration = usable_acceleration(airplane);
-  step.motion.way = length;
+  step.motion.length = length;
   return step;
 }
 
@@ -108,16 +108,16 @@ FlightStep fly_along(const Airplane& airplane, const MotionLimits& limits, const
   const double top = std::max(speed, next_speed);
   const double across = std::clamp(cross(heading, acceleration), -most, most);
   FlightStep step;
-  step.way = {state.position, heading, across / (top * top),
+  step.arc = {state.position, heading, across / (top * top),
               0.5 * (speed + next_speed) * time_step};
   MotionState& next = step.motion.next;
-  step.chord = chord(step.way);
+  step.chord = chord(step.arc);
   next.position = state.position + step.chord;
-  next.heading = wrapped(state.heading + step.way.curvature * step.way.length);
+  next.heading = wrapped(state.heading + step.arc.curvature * step.arc.length);
   next.velocity = next_speed * elementary::direction(next.heading);
   next.circle = loiter_circle(airplane, next.position, next.velocity);
   step.motion.acceleration = norm(Vec2{(next_speed - speed) / time_step, across});
-  step.motion.way = step.way.length;
+  step.motion.length = step.arc.length;
   return step;
 }
 

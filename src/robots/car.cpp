@@ -133,7 +133,7 @@ MotionStep driven(const Car& car, const MotionState& state, const Begun& begun, 
   step.next.velocity = next_speed * next_heading;
   step.acceleration = largest(car, {control.linear, top * top * control.curvature});
   step.bend = bend(driving, next_speed, control, time_step);
-  step.way = length * (1.0 + std::abs(driving.offset * control.curvature));
+  step.length = length * (1.0 + std::abs(driving.offset * control.curvature));
   if (driving.offset != 0.0) {
     step.next.position = step.next.position + driving.offset * (next_heading - driving.heading);
     step.swing =
@@ -152,8 +152,8 @@ MotionStep turned_in_place(const MotionState& state, const Driving& driving, dou
   if (driving.offset == 0.0) return step;
   const Vec2 next_heading = turned(driving.heading, by);
   step.next.position = state.position + driving.offset * (next_heading - driving.heading);
-  step.way = std::abs(driving.offset * angle);
-  step.bend = step.way * std::abs(angle);
+  step.length = std::abs(driving.offset * angle);
+  step.bend = step.length * std::abs(angle);
   return step;
 }
 

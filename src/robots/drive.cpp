@@ -139,7 +139,7 @@ MotionStep without_heading(const MotionState& state, const Plan& plan, double ti
     step.next.velocity = {};
   step.next.position = state.position + (0.5 * time_step) * (state.velocity + step.next.velocity);
   step.acceleration = norm(a);
-  step.way = 0.5 * time_step * (norm(state.velocity) + norm(step.next.velocity));
+  step.length = 0.5 * time_step * (norm(state.velocity) + norm(step.next.velocity));
   return step;
 }
 

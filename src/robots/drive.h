@@ -21,7 +21,7 @@ MotionState within_step(const DifferentialDrive& drive, const MotionState& from,
 
 /// src/robots/drive_heading.cpp; heading: unit. See robots/model.h.
 BrakingPose turn_while_braking(const DifferentialDrive& drive, Vec2 velocity, Vec2 heading,
-                               double way);
+                               double length);
 BrakingPose turn_within(const DifferentialDrive& drive, const MotionState& from,
                         const MotionState& to, double time_step);
 

@@ -15,10 +15,10 @@ namespace avo::inline robots {
 // dφ/ds = -sin φ/L on the straight path of q: the heading turns towards the velocity, and not past
 // it.
 BrakingPose turn_while_braking(const DifferentialDrive& drive, Vec2 velocity, Vec2 heading,
-                               double way) {
+                               double length) {
   if (velocity == Vec2{}) return {heading, 0.0};
   const double off = elementary::atan2(cross(heading, velocity), dot(heading, velocity));
-  const double half = 0.5 * std::min(std::abs(off), way / drive.offset);
+  const double half = 0.5 * std::min(std::abs(off), length / drive.offset);
   return {turned(heading, elementary::direction(std::copysign(half, off))), half};
 }
 

@@ -66,7 +66,7 @@ struct TurningRoom {
     const Vec2 h = turned(heading, elementary::direction(turn));
     const Vec2 to = turned(h, elementary::direction(rest));
     Vec2 q = axle(along) + drive.offset * h;
-    for (double way = 0.0; way < longest; way += piece) {
+    for (double length = 0.0; length < longest; length += piece) {
       rest -= elementary::direction(rest).y * std::min(piece / drive.offset, 1.0);
       q = q + piece * to;
       if (!is_clear(q, turned(to, elementary::direction(-rest)), Nearness::later)) return false;

@@ -32,7 +32,7 @@ double sagitta(const FlightArc& arc);
 
 struct FlightStep {
   MotionStep motion;  ///< with the circle that it falls back on afterwards
-  FlightArc way;
+  FlightArc arc;
   Vec2 chord;  ///< of the path
 };
 /// One step with that acceleration; heading: the direction of state.heading.

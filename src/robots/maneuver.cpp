@@ -44,7 +44,7 @@ Vec2 wish(const Maneuvering& car, const Move& move, double turn, double length) 
   const double top =
       std::min(std::sqrt(kTurnAcceleration * a_max * car.turning), car.robot.max_speed);
   if (move.gear * car.speed < 0.0) return top * ahead;  // it brakes first
-  if (car.speed != 0.0 && length <= car.stopping_way()) return {};
+  if (car.speed != 0.0 && length <= car.stopping_vector()) return {};
   const double v = std::min(top, std::sqrt(a_max * length));
   if (turn < kFullLock) return v * turned(ahead, elementary::direction(move.side * turn));
   return v * (ahead + move.side * perpendicular(ahead));
@@ -155,12 +155,14 @@ std::optional<Vec2> maneuver(const Car& car, const Robot& robot, const Approach&
                                 dot(h, robot.velocity),
                                 memory.turns};
   memory.turns.begin();
-  const auto way = begin_way(maneuvering, memory);
-  if (!way) return wish_to_go_on(maneuvering);
-  if (!way->is_direct) return wish(maneuvering, way->move, way->turn, way->length);
+  const auto beginning = begin_maneuver(maneuvering, memory);
+  if (!beginning) return wish_to_go_on(maneuvering);
+  if (!beginning->is_direct)
+    return wish(maneuvering, beginning->move, beginning->turn, beginning->length);
   if (!is_beside) return std::nullopt;
-  if (way->turn > kSharpTurn) return wish(maneuvering, way->move, way->turn, way->length);
-  return steered_along(car, robot, way->move.gear * h);
+  if (beginning->turn > kSharpTurn)
+    return wish(maneuvering, beginning->move, beginning->turn, beginning->length);
+  return steered_along(car, robot, beginning->move.gear * h);
 }
 
 }  // namespace avo::inline robots

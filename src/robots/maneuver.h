@@ -36,7 +36,7 @@ struct Maneuvering {
   KnownTurns& turns;
 
   bool goes_on(double gear) const { return gear * speed > 0.0; }
-  double stopping_way() const { return 0.5 * speed * speed / robot.max_acceleration; }
+  double stopping_vector() const { return 0.5 * speed * speed / robot.max_acceleration; }
   /// m, the remaining part of the lead
   double lead_left(double gear) const;
   int gears() const { return car.reverse ? 2 : 1; }
@@ -47,7 +47,7 @@ struct Maneuvering {
                     Nearness nearness) const;
   /// m: the cost to stop, to come back as far, and to start again
   double change_from_now(double gear) const {
-    return gear * speed < 0.0 ? 2.0 * stopping_way() + kGearChange * turning : 0.0;
+    return gear * speed < 0.0 ? 2.0 * stopping_vector() + kGearChange * turning : 0.0;
   }
 };
 
@@ -60,6 +60,6 @@ struct Beginning {
 };
 
 /// The shortest path that is found; none where none is found.
-std::optional<Beginning> begin_way(const Maneuvering& maneuvering, ManeuverMemory& memory);
+std::optional<Beginning> begin_maneuver(const Maneuvering& maneuvering, ManeuverMemory& memory);
 
 }  // namespace avo::inline robots

@@ -109,7 +109,8 @@ struct ManeuverSearch {
     next.starts = gear != from.move.gear;
     next.same = !next.starts && side == from.move.side;
     const bool may_be_fast = from.is_first_gear && car.goes_on(from.move.gear) && !from.stops;
-    if (next.starts && may_be_fast && from.since < kEase * car.stopping_way()) return std::nullopt;
+    if (next.starts && may_be_fast && from.since < kEase * car.stopping_vector())
+      return std::nullopt;
     next.lead = next.starts ? car.lead : 0.0;
     if (next.same) next.nearness = from.nearness;
     return next;
@@ -157,7 +158,7 @@ struct ManeuverSearch {
 
   // A car on its path may stop as soon as it can, or continue to the planned end.
   void go_on(const ManeuverNode& from, std::uint32_t number, const Next& next, double length) {
-    const double stop = car.stopping_way() - next.lead;
+    const double stop = car.stopping_vector() - next.lead;
     if (stop > 0.0) go(from, number, next, stop, true);
     go(from, number, next, length);
   }
@@ -236,7 +237,7 @@ bool ManeuverMemory::is_later(const Open& a, const Open& b) {
   return a.cost > b.cost || (a.cost == b.cost && a.node > b.node);
 }
 
-std::optional<Beginning> begin_way(const Maneuvering& car, ManeuverMemory& memory) {
+std::optional<Beginning> begin_maneuver(const Maneuvering& car, ManeuverMemory& memory) {
   ManeuverSearch search{car, memory};
   ManeuverNode start;
   start.pose = car.pose;

@@ -119,9 +119,9 @@ void advance_discs(const MotionModel& model, const MotionLimits& limits, const M
 }
 
 BrakingPose turn_while_braking(const MotionModel& model, Vec2 velocity, double heading,
-                               double way) {
+                               double length) {
   const auto* drive = std::get_if<DifferentialDrive>(&model);
-  if (drive != nullptr) return turn_while_braking(*drive, velocity, ahead_of(heading), way);
+  if (drive != nullptr) return turn_while_braking(*drive, velocity, ahead_of(heading), length);
   return {ahead_of(heading), 0.0};
 }
 
@@ -215,7 +215,7 @@ std::optional<Vec2> maneuver(const Robot& robot, const Approach& approach, bool 
 
 double pass(const MotionModel& model, const MotionLimits& limits, const MotionState& state,
             const Plan& plan, double time_step, Vec2 goal) {
-  return distance(fly(std::get<Airplane>(model), limits, state, plan, time_step).way, goal);
+  return distance(fly(std::get<Airplane>(model), limits, state, plan, time_step).arc, goal);
 }
 
 std::optional<LoiterCircle> circle_of(const MotionModel& model, Vec2 position, Vec2 velocity) {

@@ -77,7 +77,8 @@ void advance_discs(const MotionModel& model, const MotionLimits& limits, const M
                    const Plan& plan, double time_step, std::span<MotionStep> discs);
 
 /// The heading while the robot brakes, on a path of that length, m.
-BrakingPose turn_while_braking(const MotionModel& model, Vec2 velocity, double heading, double way);
+BrakingPose turn_while_braking(const MotionModel& model, Vec2 velocity, double heading,
+                               double length);
 /// The heading within a step, where the discs of a footprint may be anywhere within the spread.
 /// None for a robot if advance_discs() has followed its discs on their paths.
 std::optional<BrakingPose> turn_within(const MotionModel& model, const MotionState& from,

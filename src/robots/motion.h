@@ -26,8 +26,9 @@ struct MotionStep {
   // m: at time t of the step the disc is within bend t²/Δt² of a parabola. This has the same ends,
   // and the start velocity state.velocity + swing. Infinite where that is not known
   double bend = 0.0;
-  Vec2 swing = {};   // m/s, of a disc ahead of the axle that the robot turns about
-  double way = 0.0;  // m, an upper bound of the length of the disc's path; not for holonomic robots
+  Vec2 swing = {};  // m/s, of a disc ahead of the axle that the robot turns about
+  double length =
+      0.0;  // m, an upper bound of the length of the disc's path; not for holonomic robots
 };
 
 /// The effect of one step on w = v' - v: v + rate w, p + Δt v + gain w.

@@ -20,8 +20,8 @@ constexpr std::uint64_t kPhases = 0x70686173;  // distinguishes these random num
 MotionState state_at(const World& world, std::size_t slot, Instant instant) {
   const OwnClock& clock = world.fleet.clock_of(slot);
   if (clock.end == instant) return clock.to;
-  return on_the_way(world, slot, clock.from, clock.to, instant - clock.begin,
-                    clock.end - clock.begin);
+  return state_within(world, slot, clock.from, clock.to, instant - clock.begin,
+                      clock.end - clock.begin);
 }
 
 void put(World& world, std::size_t slot, const MotionState& state) {
@@ -39,8 +39,8 @@ std::optional<Instant> whole_nanoseconds(double seconds) {
   return avo::seconds(whole) == seconds ? std::optional(whole) : std::nullopt;
 }
 
-MotionState on_the_way(const World& world, std::size_t slot, const MotionState& from,
-                       const MotionState& to, Instant time, Instant duration) {
+MotionState state_within(const World& world, std::size_t slot, const MotionState& from,
+                         const MotionState& to, Instant time, Instant duration) {
   if (const MotionModel* model = world.fleet.own_model(slot))
     return within(*model, from, to, seconds(time), seconds(duration));
   const bool at_once = adopts_at_once(world.fleet.conduct[slot].method);

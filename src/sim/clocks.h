@@ -40,8 +40,8 @@ struct Agenda {
 };
 
 /// The robot's state within a step between these two states, 0 <= time < duration.
-MotionState on_the_way(const World& world, std::size_t slot, const MotionState& from,
-                       const MotionState& to, Instant time, Instant duration);
+MotionState state_within(const World& world, std::size_t slot, const MotionState& from,
+                         const MotionState& to, Instant time, Instant duration);
 
 /// Starts the clock of a robot that has just come: it brakes until its phase, which follows from
 /// the seed and its id.

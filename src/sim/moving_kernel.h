@@ -32,9 +32,9 @@ void choose_preferred(const StepResponse& step, const MovingColumns& moving, Rob
                                 load(robots.max_speed),
                                 load(robots.max_acceleration),
                                 Real::load(holonomic)};
-    const GoalLine<Real> way = way_of(robot, step);
-    way.distance.store(&robots.distance_to_goal[k]);
-    const Vec<Real> v = preferred_velocity(robot, way, step);
+    const GoalLine<Real> line = line_to_goal(robot, step);
+    line.distance.store(&robots.distance_to_goal[k]);
+    const Vec<Real> v = preferred_velocity(robot, line, step);
     v.x.store(&robots.preferred_x[k]), v.y.store(&robots.preferred_y[k]);
   }
 }

@@ -13,21 +13,23 @@
 namespace avo {
 
 PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk, double time_step) {
-  const auto way_to = [&](std::uint32_t target) { return obstacle.path[target] - walk.position; };
+  const auto vector_to = [&](std::uint32_t target) {
+    return obstacle.path[target] - walk.position;
+  };
   PathWalk next = walk;
-  if (norm(way_to(walk.next_point)) <= obstacle.radius)
+  if (norm(vector_to(walk.next_point)) <= obstacle.radius)
     next.next_point = static_cast<std::uint32_t>((walk.next_point + 1) % obstacle.path.size());
-  const Vec2 way = way_to(next.next_point);
-  const double distance = norm(way);
+  const Vec2 to_next = vector_to(next.next_point);
+  const double distance = norm(to_next);
   Vec2 wanted;
   if (distance > 0.0) {
     // after this step it can still stop there
     using Real = scalar::Pack<double>;
-    const double left = distance - 0.5 * time_step * dot(walk.velocity, way) / distance;
+    const double left = distance - 0.5 * time_step * dot(walk.velocity, to_next) / distance;
     const double speed = scalar::admissible_speed(
                              Real(left), Real(time_step * obstacle.max_deviation), Real(time_step))
                              .value;
-    wanted = (std::min(speed, *obstacle.max_speed) / distance) * way;
+    wanted = (std::min(speed, *obstacle.max_speed) / distance) * to_next;
   }
   next.velocity = approach(walk.velocity, wanted, time_step * obstacle.max_deviation);
   next.position = walk.position + (0.5 * time_step) * (walk.velocity + next.velocity);

@@ -94,7 +94,7 @@ double margin_of(const Robot& robot, const Box& box, const Stopping& stopping) {
 }
 
 // m: where a robot of that velocity comes to rest, from its place.
-Vec3 stopping_way(const Robot& robot, Vec3 velocity, const StepLaw& law) {
+Vec3 stopping_vector(const Robot& robot, Vec3 velocity, const StepLaw& law) {
   const Braking braking =
       braking_of(velocity, robot.max_acceleration, braking_limit(robot), robot.vertical, law);
   return braking.length * braking.direction;
@@ -108,7 +108,7 @@ Path path_of(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
              const BoxConstraints& constraints) {
   const Vec3 first = constraints.middle + (law.time_step - law.lag) * next_velocity;
   return {robot.position, constraints.middle, first,
-          first + stopping_way(robot, next_velocity, law)};
+          first + stopping_vector(robot, next_velocity, law)};
 }
 
 // m: how far the middle point of the step is from the segment of its ends. No point of the triangle
@@ -208,7 +208,7 @@ void begin_boxes(const Robot& robot, std::span<const Box> boxes, const StepLaw& 
   constraints.must_brake = false;
   if (boxes.empty()) return;
   constraints.middle = robot.position + law.lag * robot.velocity;
-  constraints.stop = robot.position + stopping_way(robot, robot.velocity, law);
+  constraints.stop = robot.position + stopping_vector(robot, robot.velocity, law);
   constraints.backup = backup_velocity(robot, law);
   const Stopping stopping = stopping_of(robot, law);
   for (std::size_t k = 0; k < boxes.size(); ++k) {

@@ -80,10 +80,10 @@ void Metrics::State::begin(const Simulation& simulation, std::size_t k) {
   trip.begin = trip.end = simulation.time();
   trip.step = scenario.time_step;
   trip.preferred_speed = setup.preferred_speed;
-  trip.way = trip.way_left = trip.progress = distance;
+  trip.route_length = trip.route_left = trip.progress = distance;
   trip.acceleration_limit = robot.max_acceleration;
   trip.ideal_time =
-      ideal_time({.way = distance,
+      ideal_time({.distance = distance,
                   .margin = scenario.arrival_distance,
                   .speed = straight > 0.0 ? dot(robot.velocity, ahead) / straight : 0.0,
                   .top_speed = std::min(setup.preferred_speed, per * setup.max_speed),

@@ -11,7 +11,7 @@ void append_mover_planes(const Robot& robot, std::span<const Mover> movers,
                          const PlannerOptions& options, const Horizon& horizon,
                          std::vector<HalfSpace>& half_spaces) {
   const double margin =
-      margin_on_way(mover_margin(options, robot.radius), robot.radius, robot.distance_to_goal);
+      margin_on_route(mover_margin(options, robot.radius), robot.radius, robot.distance_to_goal);
   for (const Mover& mover : movers) {
     const Vec3 p = robot.position - mover.position;
     if (p == Vec3{}) continue;

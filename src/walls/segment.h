@@ -37,9 +37,9 @@ double distance(const Segment& first, const Segment& second);
 /// Returns whether the segment from p to q crosses the line between its ends, from one side to the
 /// other. A place on the line is on the same side of it for every segment.
 inline bool leads_across(const Segment& line, Vec2 p, Vec2 q) {
-  const Vec2 across = line.b - line.a, way = q - p;
+  const Vec2 across = line.b - line.a, move = q - p;
   if ((cross(across, p - line.a) < 0.0) == (cross(across, q - line.a) < 0.0)) return false;
-  return (cross(way, line.a - p) < 0.0) != (cross(way, line.b - p) < 0.0);
+  return (cross(move, line.a - p) < 0.0) != (cross(move, line.b - p) < 0.0);
 }
 
 }  // namespace avo::inline walls

@@ -39,8 +39,8 @@ double horizon_of(const PlannerOptions& options) {
 // radius: m, of the robot's disc, or of each disc of its footprint.
 double kept_radius(const PlannerOptions& options, const Robot& robot, double radius,
                    const Pair& pair) {
-  return with_margin(pair,
-                     margin_on_way(mover_margin(options, radius), radius, robot.distance_to_goal));
+  return with_margin(
+      pair, margin_on_route(mover_margin(options, radius), radius, robot.distance_to_goal));
 }
 
 // The pair of the two nearest discs of both.

@@ -120,8 +120,8 @@ Vec2 push_of(const Robot& robot, const Neighbor& neighbor) {
   const double distance = norm(away);
   const double nearness = std::min((contact + room - distance) / room, 1.0);
   const double passing = norm(robot.velocity - neighbor.velocity) / robot.max_speed;
-  const double on_the_way = kLeastWeight * std::max(1.0 - passing, 0.0);
-  const double nearing = std::max(on_the_way, 1.0 - robot.distance_to_goal / (kLeash * contact));
+  const double en_route = kLeastWeight * std::max(1.0 - passing, 0.0);
+  const double nearing = std::max(en_route, 1.0 - robot.distance_to_goal / (kLeash * contact));
   const double size = std::min(neighbor.radius / robot.radius, 1.0);
   return (nearing * size * nearness / distance) * away;
 }

@@ -32,22 +32,22 @@ double distance_to(const Wall& wall, Vec2 p) {
 
 // Returns whether the straight line from p to q crosses the wall's middle line.
 bool crosses(Vec2 p, Vec2 q, const Wall& wall) {
-  const Vec2 way = q - p, along = wall.b - wall.a;
-  const double a = cross(way, wall.a - p), b = cross(way, wall.b - p);
+  const Vec2 line = q - p, along = wall.b - wall.a;
+  const double a = cross(line, wall.a - p), b = cross(line, wall.b - p);
   const double from = cross(along, p - wall.a), to = cross(along, q - wall.a);
   return (a < 0.0) != (b < 0.0) && (from < 0.0) != (to < 0.0);
 }
 
 // m, from p to q around the nearer end.
-double way_round(Vec2 p, Vec2 q, const Wall& wall) {
+double length_round(Vec2 p, Vec2 q, const Wall& wall) {
   return std::min(norm(p - wall.a) + norm(wall.a - q), norm(p - wall.b) + norm(wall.b - q));
 }
 
 // Returns whether the path that it needs to stop keeps clear of the wall.
 bool keeps_clear(Vec2 p, Vec2 velocity, double max_braking, double radius, const Wall& wall,
                  const StepLaw& law) {
-  const Vec2 way = stopping_way(velocity, braking_decrement(max_braking, law), law);
-  return distance(Segment{p, p + way}, {wall.a, wall.b}) >= radius + wall.radius;
+  const Vec2 to_stop = stopping_vector(velocity, braking_decrement(max_braking, law), law);
+  return distance(Segment{p, p + to_stop}, {wall.a, wall.b}) >= radius + wall.radius;
 }
 
 // The walls that may hide a neighbor from a robot. If there are more walls, the others hide none.
@@ -79,7 +79,7 @@ struct HidingWalls {
       if (!crosses(p, q, *wall)) return false;
       if (!keeps_clear(q, neighbor.velocity, braking_limit(neighbor), neighbor.radius, *wall, law))
         return false;
-      const double round = way_round(p, q, *wall);
+      const double round = length_round(p, q, *wall);
       const double lost = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + round;
       return round > reach + reach_of(neighbor, law) + kRounding * lost;
     });

@@ -21,7 +21,7 @@ inline double mover_margin(const PlannerOptions& options, double radius) {
 }
 
 /// m: the remaining margin at that distance from the goal.
-inline double margin_on_way(double margin, double radius, double distance_to_goal) {
+inline double margin_on_route(double margin, double radius, double distance_to_goal) {
   return margin * std::clamp(distance_to_goal / (kMarginFades * radius) - 1.0, 0.0, 1.0);
 }
 

@@ -81,9 +81,9 @@ std::optional<Vec2> place_around(const Robot& robot, std::span<const Wall> walls
   std::optional<Vec2> nearest;
   for (const double ring : kRings) {
     for (int k = 0; k < kDirections; ++k) {
-      const Vec2 way =
+      const Vec2 move =
           (ring * robot.radius) * elementary::direction(2.0 * std::numbers::pi * k / kDirections);
-      const auto place = moved_out(robot, walls, robot.position + way, kClear[1]);
+      const auto place = moved_out(robot, walls, robot.position + move, kClear[1]);
       if (place && (!nearest || norm_squared(*place - robot.position) <
                                     norm_squared(*nearest - robot.position)))
         nearest = place;
@@ -105,11 +105,11 @@ std::optional<Vec2> place_outside(const Robot& robot, std::span<const Wall> wall
 Vec2 velocity_out(const Robot& robot, std::span<const Wall> walls, const StepLaw& law) {
   if (!(deepest(robot, walls, robot.position, robot.radius).depth > 0.0)) return {};
   const std::optional<Vec2> place = place_outside(robot, walls);
-  const Vec2 way = place ? *place - robot.position : all_out(robot, walls);
-  const double length = norm(way);
+  const Vec2 move = place ? *place - robot.position : all_out(robot, walls);
+  const double length = norm(move);
   if (!(length > 1e-9 * robot.radius)) return {};
   return (std::min(speed_before(length, planned_braking(robot), law), robot.max_speed) / length) *
-         way;
+         move;
 }
 
 }  // namespace avo::inline planner

@@ -13,11 +13,11 @@ namespace avo::inline planner {
 namespace {
 
 // m, the distance that each needs to stop: the rounding of its velocity acts on it.
-double way_of(const Robot& robot, const StepLaw& law) {
+double path_length(const Robot& robot, const StepLaw& law) {
   return stopping_length(norm(robot.velocity), decrement_of(robot, law), law);
 }
 
-double way_of(const Neighbor& neighbor, const StepLaw& law) {
+double path_length(const Neighbor& neighbor, const StepLaw& law) {
   if (neighbor.loiter) return 2.0 * neighbor.loiter->radius;
   if (is_predicted(neighbor)) return 0.0;
   return stopping_length(norm(neighbor.velocity), decrement_of(neighbor, law), law);
@@ -25,17 +25,17 @@ double way_of(const Neighbor& neighbor, const StepLaw& law) {
 
 // Takes the bodies in contact, in the order of neighbors and walls.
 struct ContactSearch {
-  double own_way;
+  double own_length;
   Contact contact = {};
   double beyond = -kInfinity;  // m, the part of its depth beyond rounding
 
   // Returns whether no contact of such a depth can be deeper, for any stopping distance of the
   // other body.
   bool is_beaten(double depth, double radii) const {
-    return !(depth - feigned_depth(radii, own_way) > beyond);
+    return !(depth - feigned_depth(radii, own_length) > beyond);
   }
-  void take(int neighbor, int wall, double depth, double radii, double way) {
-    const double left = depth - feigned_depth(radii, own_way + way);
+  void take(int neighbor, int wall, double depth, double radii, double length) {
+    const double left = depth - feigned_depth(radii, own_length + length);
     if (!(depth > 0.0) || !(left > beyond)) return;
     contact = {neighbor, wall, depth, left > 0.0};
     beyond = left;
@@ -62,7 +62,7 @@ bool is_deeper(const Robot& robot, const Neighbors& neighbors, std::size_t k,
 template <typename Neighbors>
 Contact find_deepest(const Robot& robot, const Neighbors& neighbors, std::span<const Wall> walls,
                      const StepLaw& law, const Deepest& neighbor, const Deepest& wall) {
-  ContactSearch search{way_of(robot, law)};
+  ContactSearch search{path_length(robot, law)};
   const Discs discs = discs_of(robot, law);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const int index = static_cast<int>(k);
@@ -73,7 +73,7 @@ Contact find_deepest(const Robot& robot, const Neighbors& neighbors, std::span<c
     double depth = radii - norm(other.position - robot.position) - hidden;
     if (discs.count > 1 || other.footprint) depth = -nearest_discs(discs, other).gap - hidden;
     if (index == neighbor.index) depth = std::max(depth, neighbor.depth);
-    if (depth > 0.0) search.take(index, -1, depth, radii, way_of(other, law));
+    if (depth > 0.0) search.take(index, -1, depth, radii, path_length(other, law));
   }
   for (std::size_t k = 0; k < walls.size(); ++k) {
     const int index = static_cast<int>(k);
@@ -102,7 +102,7 @@ Contact deepest_contact(const Robot& robot, std::span<const Neighbor> neighbors,
 }
 
 double feigned(const Robot& robot, const Wall& wall, const StepLaw& law) {
-  return feigned_depth(robot.radius + wall.radius, way_of(robot, law));
+  return feigned_depth(robot.radius + wall.radius, path_length(robot, law));
 }
 
 void tell(const Contact& contact, Plan& plan) {

@@ -22,11 +22,11 @@ namespace avo::inline planner {
 double speed_before(double gap, double max_braking, const StepLaw& law) {
   if (!(gap > 0.0)) return 0.0;
   const double u = braking_decrement(max_braking, law), h = law.time_step, s = law.lag;
-  const auto way_of = [&](double k) { return u * (0.5 * h * k * (k + 1.0) + k * s); };
+  const auto length_of = [&](double k) { return u * (0.5 * h * k * (k + 1.0) + k * s); };
   const double half = 0.5 * h + s;
   double steps = std::floor((std::sqrt(half * half + 2.0 * h * gap / u) - half) / h);
-  if (way_of(steps) > gap) steps -= 1.0;  // rounding
-  const double fraction = (gap - way_of(steps)) / (u * (h * (steps + 1.0) + s));
+  if (length_of(steps) > gap) steps -= 1.0;  // rounding
+  const double fraction = (gap - length_of(steps)) / (u * (h * (steps + 1.0) + s));
   return u * (steps + std::clamp(fraction, 0.0, 1.0));
 }
 

@@ -91,7 +91,7 @@ void add_margins(const PlannerOptions& options, const Tile& tile, TilePairs& pai
     const double radius =
         model != nullptr ? route_radius(*model, robots.radius[r]) : robots.radius[r];
     const auto own = [&](double margin) {
-      return margin_on_way(margin, radius, robots.distance_to_goal[r]);
+      return margin_on_route(margin, radius, robots.distance_to_goal[r]);
     };
     const double margin = own(options.margin), larger = own(mover_margin(options, radius));
     for (std::size_t k = robots.neighbors[r].first; i < pairs.end[r]; ++i, ++k) {

@@ -241,10 +241,10 @@ inline Vec2 disc_goal(const Fleet& fleet, std::size_t slot, Vec2 aim, Vec2 end) 
 
 /// m/s: the preferred velocity of a robot that flies.
 inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double preferred_speed) {
-  const Vec2 way = goal - position;
-  const double distance = norm(way);
+  const Vec2 to_goal = goal - position;
+  const double distance = norm(to_goal);
   if (flight.has_arrived || !(distance > 0.0)) return {};
-  return (preferred_speed / distance) * way;
+  return (preferred_speed / distance) * to_goal;
 }
 
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.

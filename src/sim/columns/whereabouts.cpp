@@ -23,18 +23,18 @@ constexpr double kRounding = 1e-12;
 // Room for so many near robots.
 constexpr std::size_t kUsuallyNear = 1024;
 
-StepUnderWay step_under_way(const World& world, std::size_t slot) {
+StepInProgress step_in_progress(const World& world, std::size_t slot) {
   const Fleet& fleet = world.fleet;
   const OwnClock& clock = fleet.clock_of(slot);
-  StepUnderWay step{
+  StepInProgress step{
       clock.from.position, clock.from.velocity, clock.to.velocity - clock.from.velocity,
-      clock.begin,         clock.end,           StepUnderWay::Kind::held};
+      clock.begin,         clock.end,           StepInProgress::Kind::held};
   if (fleet.conduct[slot].parked) {
-    step.kind = StepUnderWay::Kind::parked;
+    step.kind = StepInProgress::Kind::parked;
   } else if (fleet.traits[slot].has_model) {
-    step.kind = StepUnderWay::Kind::by_model;
+    step.kind = StepInProgress::Kind::by_model;
   } else if (adopts_at_once(fleet.conduct[slot].method)) {
-    step.kind = StepUnderWay::Kind::at_once;
+    step.kind = StepInProgress::Kind::at_once;
     step.velocity = clock.to.velocity;
     step.change = clock.to.position - clock.from.position;
   }
@@ -46,15 +46,15 @@ struct PresentPlace {
 };
 
 // Its present_state(), by the same expressions.
-PresentPlace present_place(const World& world, const StepUnderWay& step, std::size_t slot) {
-  if (step.kind == StepUnderWay::Kind::parked) return {step.position, step.velocity};
-  if (step.kind == StepUnderWay::Kind::by_model || step.end == world.now) {
+PresentPlace present_place(const World& world, const StepInProgress& step, std::size_t slot) {
+  if (step.kind == StepInProgress::Kind::parked) return {step.position, step.velocity};
+  if (step.kind == StepInProgress::Kind::by_model || step.end == world.now) {
     const MotionState state = present_state(world, slot);
     return {state.position, state.velocity};
   }
   const double time = seconds(world.now - step.begin);
   const double part = time / seconds(step.end - step.begin);
-  if (step.kind == StepUnderWay::Kind::at_once)
+  if (step.kind == StepInProgress::Kind::at_once)
     return {step.position + part * step.change, step.velocity};
   return {step.position + (time * step.velocity + (0.5 * time * part) * step.change),
           step.velocity + part * step.change};
@@ -116,7 +116,7 @@ void file(World& world) {
   const std::span<const std::uint32_t> order = own.filed.grid.order();
   for (std::uint32_t place = 0; place < count; ++place) {
     const std::uint32_t slot = order[place];
-    own.step[place] = step_under_way(world, slot);
+    own.step[place] = step_in_progress(world, slot);
     own.place_of[slot] = place;
     const double speed = (1.0 + kSpeedRounding) * fleet.traits[slot].max_speed;
     own.top_speed = std::max(own.top_speed, model_traits(fleet.model(slot)).speed_ratio * speed);
@@ -158,7 +158,7 @@ void find_near(World& world, std::size_t slot) {
 
 void renew_step(World& world, std::size_t slot) {
   Whereabouts& own = world.whereabouts;
-  own.step[own.place_of[slot]] = step_under_way(world, slot);
+  own.step[own.place_of[slot]] = step_in_progress(world, slot);
   note_speeds(world, slot);
   ++own.decisions;
 }

@@ -13,7 +13,7 @@ namespace avo::inline sim {
 struct World;
 
 /// The present step of a robot, as others need it to compute its place.
-struct StepUnderWay {
+struct StepInProgress {
   enum class Kind : std::uint8_t { held, at_once, by_model, parked };
   Vec2 position, velocity;     // m, m/s, at its beginning
   Vec2 change;                 // m/s, of the velocity; at_once: m, of the position
@@ -28,7 +28,7 @@ struct Whereabouts {
   std::size_t decisions = 0;            // since then
   double top_speed = 0.0;               // m/s, of any disc
   Instant fast_until = -1;              // until then some robot may exceed its max_speed
-  std::vector<StepUnderWay> step;       // by place
+  std::vector<StepInProgress> step;     // by place
   std::vector<std::uint32_t> place_of;  // by slot
   // data of one search
   std::vector<std::uint32_t> read, slots;

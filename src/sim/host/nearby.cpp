@@ -71,9 +71,9 @@ std::vector<std::size_t> ranks_of(const std::vector<Ranked>& found, std::size_t 
 
 // The part of the displacement at which a point comes within `room` of the other point; infinite
 // where it does not.
-double enters_disc(Vec2 from, Vec2 way, Vec2 center, double room) {
+double enters_disc(Vec2 from, Vec2 move, Vec2 center, double room) {
   const Vec2 away = from - center;
-  const double a = norm_squared(way), b = dot(away, way), c = norm_squared(away) - room * room;
+  const double a = norm_squared(move), b = dot(away, move), c = norm_squared(away) - room * room;
   if (c <= 0.0) return 0.0;
   const double root = b * b - a * c;
   if (!(b < 0.0 && root >= 0.0)) return std::numeric_limits<double>::infinity();
@@ -81,18 +81,18 @@ double enters_disc(Vec2 from, Vec2 way, Vec2 center, double room) {
 }
 
 // The same of the wall's middle line: its ends, or one of its sides.
-double enters(Vec2 from, Vec2 way, const Wall& wall, double room) {
+double enters(Vec2 from, Vec2 move, const Wall& wall, double room) {
   double first =
-      std::min(enters_disc(from, way, wall.a, room), enters_disc(from, way, wall.b, room));
+      std::min(enters_disc(from, move, wall.a, room), enters_disc(from, move, wall.b, room));
   const Vec2 along = wall.b - wall.a;
   const double length = norm(along);
   if (!(length > 0.0)) return first;
   if (distance(from, {wall.a, wall.b}) <= room) return 0.0;
   const Vec2 across{-along.y / length, along.x / length};
-  const double side = dot(from - wall.a, across), speed = dot(way, across);
+  const double side = dot(from - wall.a, across), speed = dot(move, across);
   const double part = (std::abs(side) - room) / std::abs(speed);
   if (!(side * speed < 0.0 && part >= 0.0)) return first;
-  const double place = dot(from + part * way - wall.a, along) / (length * length);
+  const double place = dot(from + part * move - wall.a, along) / (length * length);
   if (place >= 0.0 && place <= 1.0) first = std::min(first, part);
   return first;
 }
@@ -116,16 +116,16 @@ struct Counted {
 // The first of the grid's walls that the disc comes to touch, and the part of the displacement
 // until then.
 template <typename Counts>
-std::pair<double, std::size_t> first_in(const ClearanceGrid& grid, Vec2 from, Vec2 way,
+std::pair<double, std::size_t> first_in(const ClearanceGrid& grid, Vec2 from, Vec2 move,
                                         double radius, const Counts& counts) {
   std::pair<double, std::size_t> first{std::numeric_limits<double>::infinity(), 0};
-  const Vec2 reach{radius, radius}, to = from + way;
+  const Vec2 reach{radius, radius}, to = from + move;
   const Vec2 low{std::min(from.x, to.x), std::min(from.y, to.y)};
   const Vec2 high{std::max(from.x, to.x), std::max(from.y, to.y)};
   const auto look = [&](std::size_t k) {
     const Wall& wall = grid.walls()[k];
     if (counts(k))
-      first = std::min(first, {enters(from, way, wall, std::max(radius + wall.radius, kThin)), k});
+      first = std::min(first, {enters(from, move, wall, std::max(radius + wall.radius, kThin)), k});
     return true;
   };
   if (radius == 0.0)
@@ -183,15 +183,15 @@ bool is_free(const World& world, const Nearby& nearby, Vec2 position, double rad
 
 std::optional<Simulation::Hit> first_hit(const World& world, const Nearby& nearby, Vec2 from,
                                          Vec2 to, double radius, LayerSet layers) {
-  const Vec2 way = to - from;
+  const Vec2 move = to - from;
   const Counted counted{world, nearby, layers};
   const auto [disc_at, disc] =
-      first_in(nearby.discs, from, way, radius, [&](std::size_t k) { return counted.disc(k); });
+      first_in(nearby.discs, from, move, radius, [&](std::size_t k) { return counted.disc(k); });
   const auto [wall_at, wall] =
-      first_in(nearby.walls, from, way, radius, [&](std::size_t k) { return counted.wall(k); });
+      first_in(nearby.walls, from, move, radius, [&](std::size_t k) { return counted.wall(k); });
   const double first = std::min(disc_at, wall_at);
   if (!(first <= 1.0)) return std::nullopt;
-  Simulation::Hit hit{.distance = first * norm(way), .center = from + first * way};
+  Simulation::Hit hit{.distance = first * norm(move), .center = from + first * move};
   if (wall_at < disc_at) {
     hit.obstacle = world.statics.id[nearby.obstacle[wall]];
   } else if (disc < nearby.robots) {

@@ -59,8 +59,8 @@ bool is_mixed(const Scenario& scenario) {
   });
 }
 
-Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
-  return stopping_way(start_velocity(robot), decrement_of(robot, law.step), law.step);
+Vec2 vector_to_rest(const RobotSetup& robot, const CertificateLaw& law) {
+  return stopping_vector(start_velocity(robot), decrement_of(robot, law.step), law.step);
 }
 
 }  // namespace avo::inline sim

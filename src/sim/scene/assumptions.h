@@ -31,7 +31,7 @@ double longest_first_step(const CertificateLaw& law);
 double late_phase(const RobotSetup& robot, double longest_step);
 
 /// m, the displacement from the robot's start to where it would stop.
-Vec2 way_to_rest(const RobotSetup& robot, const CertificateLaw& law);
+Vec2 vector_to_rest(const RobotSetup& robot, const CertificateLaw& law);
 
 /// The start state of a robot of that setup.
 MotionState start_of(const RobotSetup& robot);

@@ -24,7 +24,7 @@ namespace {
 struct Starter {
   Vec2 position;
   int source = 0;      // robot i, or -1 - k for moving obstacle k
-  Vec2 way;            // m, displacement from the robot's place to where it would stop
+  Vec2 to_rest;        // m, displacement from the robot's place to where it would stop
   double reach = 0.0;  // m, radius and the largest distance that it can move while the robots brake
   bool loiters = false;
 };
@@ -55,12 +55,12 @@ void collect_starters(Starts& starts) {
   double longest = 0.0;  // s
   const std::vector<RobotSetup>& robots = starts.scenario.robots;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const Vec2 way = way_to_rest(robots[i], starts.law);
+    const Vec2 to_rest = vector_to_rest(robots[i], starts.law);
     longest = std::max(longest, seconds_until_rest(robots[i], starts.law));
     const auto circle = circle_of(robots[i].model, robots[i].position, start_velocity(robots[i]));
-    starts.starters.push_back({disc_center(robots[i]), static_cast<int>(i), way,
+    starts.starters.push_back({disc_center(robots[i]), static_cast<int>(i), to_rest,
                                disc_radius(robots[i]) +
-                                   (circle ? 2.0 * circle->radius : norm(way)) +
+                                   (circle ? 2.0 * circle->radius : norm(to_rest)) +
                                    late_phase(robots[i], starts.longest_step),
                                circle.has_value()});
   }
@@ -69,12 +69,12 @@ void collect_starters(Starts& starts) {
   const std::vector<MovingObstacle>& obstacles = starts.scenario.moving_obstacles;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     const MovingObstacle& obstacle = obstacles[k];
-    const double way =
+    const double length =
         longest * norm(obstacle.velocity) +
         0.5 * longest * longest * (norm(obstacle.acceleration) + obstacle.max_deviation) +
         parabola_error(obstacle.acceleration, starts.law.step);
     starts.starters.push_back(
-        {obstacle.position, -1 - static_cast<int>(k), {}, obstacle.radius + way});
+        {obstacle.position, -1 - static_cast<int>(k), {}, obstacle.radius + length});
   }
 }
 
@@ -86,7 +86,8 @@ bool are_apart(const Starter& a, const Starter& b, Behavior behavior, double con
   const double distance = norm(p);
   if (distance >= a.reach + b.reach + margin) return true;
   if (behavior != Behavior::decides || a.loiters || b.loiters || !(distance > 0.0)) return false;
-  return distance + (std::min(0.0, dot(p, a.way)) - std::max(0.0, dot(p, b.way))) / distance >=
+  return distance +
+             (std::min(0.0, dot(p, a.to_rest)) - std::max(0.0, dot(p, b.to_rest))) / distance >=
          contact;
 }
 

@@ -74,9 +74,9 @@ double part_of(const MovingObstacle& obstacle, double seconds, double duration,
       {norm(obstacle.velocity), norm(obstacle.velocity + duration * obstacle.acceleration),
        obstacle.path.empty() ? 0.0 : *obstacle.max_speed, fastest_on_trajectory(obstacle)});
   const double change = norm(obstacle.acceleration) + obstacle.max_deviation;
-  const double way = seconds * speed + 0.5 * seconds * seconds * change;
-  const double most = obstacle.max_speed ? seconds * *obstacle.max_speed : way;
-  return obstacle.radius + std::min(way, most) + parabola_error(obstacle.acceleration, law.step);
+  const double length = seconds * speed + 0.5 * seconds * seconds * change;
+  const double most = obstacle.max_speed ? seconds * *obstacle.max_speed : length;
+  return obstacle.radius + std::min(length, most) + parabola_error(obstacle.acceleration, law.step);
 }
 
 // The robots that need more time or more length than all others: only they can be the worst for an

@@ -61,8 +61,8 @@ class Reach {
     const RobotTraits& other = fleet.traits[slot];
     const double speed = norm(fleet.velocity[slot]);
     const double time = std::max(seconds_, until_rest(speed, other.max_braking));
-    const double way = time * (top_speed_ + std::max(other.max_speed, speed));
-    return !(norm(fleet.position[slot] - center_) > radius_ + other.radius + way);
+    const double length = time * (top_speed_ + std::max(other.max_speed, speed));
+    return !(norm(fleet.position[slot] - center_) > radius_ + other.radius + length);
   }
 
  private:
@@ -127,7 +127,7 @@ bool keeps_any(const World& world, const RobotSetup& robot) {
 
 // Finds a contact with a robot within a step, which continues to the end of the step; its path may
 // be curved.
-std::optional<BrokenStart> find_on_way(const World& world, const StartCompany& company) {
+std::optional<BrokenStart> find_in_motion(const World& world, const StartCompany& company) {
   const Fleet& fleet = world.fleet;
   const RobotSetup& own = company.scene.robots.front();
   for (std::size_t k = 0; k < company.slot.size() && fleet.has_clocks; ++k) {
@@ -248,7 +248,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   const double late =  // a robot within a step begins to brake so much later
       world.fleet.has_clocks ? longest_first_step(law) * norm(setup.velocity) : 0.0;
   find_starts_of_first(company.scene, law, late, broken);
-  if (const auto start = find_on_way(world, company); start && broken.starts.empty())
+  if (const auto start = find_in_motion(world, company); start && broken.starts.empty())
     broken.starts.push_back(*start);
   if (!broken.starts.empty()) {
     BrokenStart& worst = broken.starts.front();

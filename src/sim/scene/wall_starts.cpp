@@ -100,7 +100,7 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const 
   const WallRounding rounding = wall_rounding(radius + lengths_of_rounding(lever), robot.max_speed,
                                               ability_of(robot), step_law(scenario, robot, law));
   const double late = late_phase(robot, longest_first_step(law));
-  const Vec2 way = stopping_way(state.velocity, decrement_of(robot, law.step), law.step);
+  const Vec2 to_stop = stopping_vector(state.velocity, decrement_of(robot, law.step), law.step);
   const LoiterCircle* circle = !can_rest(robot.model) ? &state.circle : nullptr;
   const auto start_at = [&](const Wall& wall) {
     const Segment segment{wall.a - center, wall.b - center};
@@ -108,7 +108,7 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const 
       return WallStart{number, 0, distance(Vec2{}, segment),
                        distance(circle->center, {wall.a, wall.b}) - circle->radius,
                        radius + wall.radius + flight_margin(wall, radius, circle->radius)};
-    return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, way}, segment) - late,
+    return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, to_stop}, segment) - late,
                      radius + wall.radius + wall_margin(wall, rounding)};
   };
   const auto lacks = [](const WallStart& start) { return start.required - start.kept; };

@@ -27,8 +27,8 @@ PastState before(const World& world, std::size_t rank, std::int64_t moment) {
   std::size_t k = track.count - 1;
   while (k > 0 && track[k].at > moment) --k;
   if (k + 1 == track.count || track[k].at >= moment) return state_of(track[k].state);
-  return state_of(on_the_way(world, world.fleet.slot_of[rank], track[k].state, track[k + 1].state,
-                             moment - track[k].at, track[k + 1].at - track[k].at));
+  return state_of(state_within(world, world.fleet.slot_of[rank], track[k].state, track[k + 1].state,
+                               moment - track[k].at, track[k + 1].at - track[k].at));
 }
 
 // The state of a robot at that moment, or its present state.

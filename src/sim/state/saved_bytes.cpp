@@ -138,7 +138,7 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   for (std::uint64_t& id : state.stood) describe(archive, id);
   describe(archive, state.next_obstacle);
   archive.size(state.routes, 1);
-  for (SavedRoute& way : state.routes) describe(archive, way);
+  for (SavedRoute& route : state.routes) describe(archive, route);
   describe(archive, state.steps), describe(archive, state.next_id);
 
   archive.size(scene.moving_obstacles, kObstacleWords);

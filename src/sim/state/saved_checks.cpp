@@ -163,10 +163,10 @@ void check_states(const SavedState& state) {
                      std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
   if (!moves) refuse_saved("a position or velocity that is not finite", "finite");
   if (!std::all_of(state.routes.begin(), state.routes.end(),
-                   [](const SavedRoute& way) { return is_finite(way.place); }))
-    refuse_saved("the end of a way that is not finite", "finite");
+                   [](const SavedRoute& route) { return is_finite(route.place); }))
+    refuse_saved("the end of a route that is not finite", "finite");
   if (!std::all_of(state.routes.begin(), state.routes.end(),
-                   [](const SavedRoute& way) { return is_sound(way.waiting); }))
+                   [](const SavedRoute& route) { return is_sound(route.waiting); }))
     refuse_saved("a wait that no robot can remember", "a sound one");
   for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
     const std::size_t points =

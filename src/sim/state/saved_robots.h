@@ -26,23 +26,19 @@ void describe(Archive<kReads>& archive, Waiting& waiting) {
 
 // In one word; more where it ends elsewhere than at the goal, and where passages may be held.
 template <bool kReads>
-void describe(Archive<kReads>& archive, SavedRoute& way) {
-  const bool waits = way.waiting.least < kInfinity || !way.waiting.closed.empty();
+void describe(Archive<kReads>& archive, SavedRoute& route) {
+  const bool waits = route.waiting.least < kInfinity || !route.waiting.closed.empty();
   std::uint64_t word =
-      (waits ? std::uint64_t{1} << 36 : 0) | static_cast<std::uint64_t>(way.ends) << 34 |
-      std::uint64_t{way.around_movers} << 33 | std::uint64_t{way.is_exact} << 32 | way.target;
+      (waits ? std::uint64_t{1} << 36 : 0) | static_cast<std::uint64_t>(route.ends) << 34 |
+      std::uint64_t{route.around_movers} << 33 | std::uint64_t{route.is_exact} << 32 | route.target;
   archive.word(word);
   const std::uint64_t ends = word >> 34 & 3;
   if (word >> 37 != 0 || ends > static_cast<std::uint64_t>(RouteEnd::short_of))
-    refuse_saved("the way " + std::to_string(word), "one of 37 bits, and how it ends");
-  way = {static_cast<std::uint32_t>(word),
-         (word >> 32 & 1) != 0,
-         (word >> 33 & 1) != 0,
-         static_cast<RouteEnd>(ends),
-         way.place,
-         std::move(way.waiting)};
-  if (way.ends != RouteEnd::goal) describe(archive, way.place);
-  if ((word >> 36 & 1) != 0) describe(archive, way.waiting);
+    refuse_saved("the route " + std::to_string(word), "one of 37 bits, and how it ends");
+  route = {static_cast<std::uint32_t>(word), (word >> 32 & 1) != 0, (word >> 33 & 1) != 0,
+           static_cast<RouteEnd>(ends),      route.place,           std::move(route.waiting)};
+  if (route.ends != RouteEnd::goal) describe(archive, route.place);
+  if ((word >> 36 & 1) != 0) describe(archive, route.waiting);
 }
 
 template <bool kReads>

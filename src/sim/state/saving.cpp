@@ -175,15 +175,15 @@ Senses senses_of(const SavedState& state, const Fleet& fleet, double longest_ste
 }
 
 // Restores the time that it has waited, and the gaps that it goes around.
-void keep_waiting(const SavedRoute& way, Vec2 position, double radius, LegScratch& scratch,
+void keep_waiting(const SavedRoute& route, Vec2 position, double radius, LegScratch& scratch,
                   Travel& travel) {
-  if (!way.waiting.closed.empty() && travel.graph != nullptr) {
-    travel = around(travel, position, radius, way.waiting.closed, scratch);
-    aim_at(travel, way.target, scratch);
+  if (!route.waiting.closed.empty() && travel.graph != nullptr) {
+    travel = around(travel, position, radius, route.waiting.closed, scratch);
+    aim_at(travel, route.target, scratch);
   }
-  travel.waiting.least = way.waiting.least, travel.waiting.waited = way.waiting.waited;
-  travel.waiting.looks_at = way.waiting.looks_at;
-  travel.waiting.opens_at = way.waiting.opens_at;
+  travel.waiting.least = route.waiting.least, travel.waiting.waited = route.waiting.waited;
+  travel.waiting.looks_at = route.waiting.looks_at;
+  travel.waiting.opens_at = route.waiting.opens_at;
 }
 
 // Makes the routes with the saved targets: no robot searches for its route again.
@@ -200,14 +200,14 @@ std::vector<Travel> travels_of(const SavedState& state, const StaticWorld& stati
       travels.emplace_back();
       continue;
     }
-    const SavedRoute& way = state.routes[k];
-    const Vec2 end = way.ends == RouteEnd::goal ? setup.goal : way.place;
+    const SavedRoute& route = state.routes[k];
+    const Vec2 end = route.ends == RouteEnd::goal ? setup.goal : route.place;
     Routes& own = routes[floor.empty() ? 0 : floor[k]];
     const double radius = route_radius(setup.model, disc_radius(setup));
-    Travel travel = own.resume(radius, end, way.target, way.is_exact,
-                               way.around_movers && own.goes_around_movers());
-    travel.ends = way.ends, travel.place = way.place;
-    keep_waiting(way, state.robots[k].position, radius, own.scratch(), travel);
+    Travel travel = own.resume(radius, end, route.target, route.is_exact,
+                               route.around_movers && own.goes_around_movers());
+    travel.ends = route.ends, travel.place = route.place;
+    keep_waiting(route, state.robots[k].position, radius, own.scratch(), travel);
     travels.push_back(std::move(travel));
   }
   return travels;

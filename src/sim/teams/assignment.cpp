@@ -25,9 +25,9 @@ struct Market {
   /// m. If two assignments have equal sums, the one with the shorter longest lines costs less. So
   /// robots in a row that move along the row keep their order.
   [[nodiscard]] double cost(std::size_t robot, std::size_t slot) const {
-    const double way = norm(slots[slot] - positions[robot]);
+    const double length = norm(slots[slot] - positions[robot]);
     constexpr double kSlight = 1.0 / (1 << 20);
-    return longest > 0.0 ? way + kSlight * way * way / longest : 0.0;
+    return longest > 0.0 ? length + kSlight * length * length / longest : 0.0;
   }
 };
 

@@ -69,7 +69,7 @@ Moved fly_on(const Robot& robot, const FlightStep& step, double next_speed) {
   const double speed = norm(robot.velocity), h = law_of_run.time_step;
   for (int k = 0; k <= kParts; ++k) {
     const double t = h * k / kParts;
-    FlightArc part = step.way;
+    FlightArc part = step.arc;
     part.length = speed * t + 0.5 * (next_speed - speed) * t * t / h;
     const double half = 0.5 * part.curvature * part.length;
     const double chord = part.length * (std::abs(half) < 1e-9 ? 1.0 : std::sin(half) / half);
@@ -284,7 +284,7 @@ std::array<Vec2, 2> next_area(const Robot& robot, Vec2 next_velocity) {
   const Vec2 moved = 0.5 * law_of_run.time_step * (robot.velocity + next_velocity);
   Robot next = robot;
   next.velocity = next_velocity;
-  return {moved, moved + fallback_area_of(next, law_of_run).way};
+  return {moved, moved + fallback_area_of(next, law_of_run).to_stop};
 }
 
 TEST(FallbackAreas, braking_keeps_the_next_one_in_the_present_one) {
@@ -292,7 +292,7 @@ TEST(FallbackAreas, braking_keeps_the_next_one_in_the_present_one) {
   Random random(45);
   for (int k = 0; k < 2'000; ++k) {
     const Robot robot = any_robot(random, Kind::holonomic);
-    const Vec2 stop = fallback_area_of(robot, law_of_run).way;
+    const Vec2 stop = fallback_area_of(robot, law_of_run).to_stop;
     const auto [moved, next_stop] =
         next_area(robot, braked(robot.velocity, decrement_of(robot, law_of_run)));
     EXPECT_LE(norm(next_stop - stop), 1e-13 * (1.0 + norm(stop)));

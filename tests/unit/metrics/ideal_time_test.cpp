@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-IdealTrip trip_of(double way, double speed = 0.0) {
-  return {.way = way, .margin = 0.5, .speed = speed, .top_speed = 2.0, .acceleration = 1.0};
+IdealTrip trip_of(double distance, double speed = 0.0) {
+  return {
+      .distance = distance, .margin = 0.5, .speed = speed, .top_speed = 2.0, .acceleration = 1.0};
 }
 
 TEST(IdealTime, of_a_trapezoid) {
@@ -60,12 +61,12 @@ TEST(IdealTime, of_no_way_and_of_none_that_ends) {
 
 // Continuous in all that it depends on, where one case goes over into another one.
 TEST(IdealTime, has_no_jumps) {
-  for (const double way : {0.6, 1.0, 2.0, 4.0, 20.0}) {
-    double before = ideal_time(trip_of(way, -4.0));
+  for (const double distance : {0.6, 1.0, 2.0, 4.0, 20.0}) {
+    double before = ideal_time(trip_of(distance, -4.0));
     for (double speed = -4.0; speed < 8.0; speed += 1e-3) {
-      const double now = ideal_time(trip_of(way, speed));
-      EXPECT_LE(now, before + 1e-12) << way << " " << speed;
-      EXPECT_GE(now, before - 0.02) << way << " " << speed;
+      const double now = ideal_time(trip_of(distance, speed));
+      EXPECT_LE(now, before + 1e-12) << distance << " " << speed;
+      EXPECT_GE(now, before - 0.02) << distance << " " << speed;
       before = now;
     }
   }

@@ -145,7 +145,7 @@ TEST(Trips, reverse_where_accelerations_point_against_each_other) {
 TEST(Trips, make_progress_where_they_are_nearer_than_ever) {
   Trip trip = scripted();
   const auto steps_without_progress = [&](std::vector<double> ways) {
-    for (const double way_left : ways) go_on(trip, {}, {}, way_left, kStep, true);
+    for (const double route_left : ways) go_on(trip, {}, {}, route_left, kStep, true);
     return std::lround(trip.deadlock_time / kStep);
   };
   EXPECT_EQ(steps_without_progress({9.9, 9.8}), 0);

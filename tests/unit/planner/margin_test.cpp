@@ -25,10 +25,10 @@ Planner planner_wishing(double margin) {
 
 TEST(Margin, fades_towards_the_goal) {
   const double far = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(margin_on_way(kWished, 0.5, far), kWished);
-  EXPECT_EQ(margin_on_way(kWished, 0.5, 4.0), kWished);        // 8 radii
-  EXPECT_EQ(margin_on_way(kWished, 0.5, 3.0), 0.5 * kWished);  // 6 radii
-  for (const double near : {2.0, 1.0, 0.0}) EXPECT_EQ(margin_on_way(kWished, 0.5, near), 0.0);
+  EXPECT_EQ(margin_on_route(kWished, 0.5, far), kWished);
+  EXPECT_EQ(margin_on_route(kWished, 0.5, 4.0), kWished);        // 8 radii
+  EXPECT_EQ(margin_on_route(kWished, 0.5, 3.0), 0.5 * kWished);  // 6 radii
+  for (const double near : {2.0, 1.0, 0.0}) EXPECT_EQ(margin_on_route(kWished, 0.5, near), 0.0);
 }
 
 TEST(Margin, takes_half_of_the_gap_at_most) {

@@ -108,8 +108,8 @@ TEST(Airplane, keeps_its_limits_whatever_it_is_told) {
     ASSERT_LE(after, limits.max_speed * (1.0 + 1e-12));
     ASSERT_LE(std::abs(after - before), (std::abs(ahead) + 1e-9) * kTimeStep);
     const double top = std::max(before, after);
-    ASSERT_LE(top * top * std::abs(step.way.curvature), airplane.lateral_acceleration);
-    ASSERT_NEAR(norm(step.motion.next.position - point_of(step.way, step.way.length)), 0.0, 1e-10);
+    ASSERT_LE(top * top * std::abs(step.arc.curvature), airplane.lateral_acceleration);
+    ASSERT_NEAR(norm(step.motion.next.position - point_of(step.arc, step.arc.length)), 0.0, 1e-10);
   }
 }
 
@@ -124,7 +124,7 @@ TEST(Airplane, its_circle_is_to_the_right_and_holds_all_of_its_disc) {
       const Plan plan{.acceleration = loitering(airplane, state)};
       const FlightStep step = fly(airplane, limits, state, plan, kTimeStep);
       for (int part = 0; part <= 8; ++part) {
-        const Vec2 p = point_of(step.way, step.way.length * part / 8);
+        const Vec2 p = point_of(step.arc, step.arc.length * part / 8);
         ASSERT_NEAR(norm(p - start.circle.center), start.circle.radius,
                     1e-12 * (start.circle.radius + 100.0));
       }

@@ -168,7 +168,7 @@ TEST(Car, bend_bounds_the_way_of_a_disc_ahead_of_the_axle) {
       length += norm(disc - last);
       last = disc;
     }
-    EXPECT_LE(length, step.way + 1e-12);
+    EXPECT_LE(length, step.length + 1e-12);
     EXPECT_LT(norm(last - step.next.position), 1e-9);
     EXPECT_LE(std::abs(curvature), any.car.max_curvature.value_or(1e9) + 1e-6);
     EXPECT_TRUE(any.car.reverse || next >= -1e-15);
@@ -475,7 +475,7 @@ TEST(Car, the_ends_of_a_step_tell_the_way_between) {
     sharp += std::abs(turn) > 2.99 ? 1 : 0;
     // it comes to the end of the step, on no longer way than the step says
     const MotionState end = within(car, from, to, time_step * (1.0 - 1e-12), time_step);
-    const double scale = 1.0 + step.way;
+    const double scale = 1.0 + step.length;
     ASSERT_NEAR(norm(end.position - to.position), 0.0, 1e-9 * scale) << "car " << i;
     ASSERT_NEAR(norm(end.velocity - to.velocity), 0.0, 1e-9 * scale) << "car " << i;
     double way = 0.0;
@@ -485,7 +485,7 @@ TEST(Car, the_ends_of_a_step_tell_the_way_between) {
       way += norm(now.position - before.position);
       before = now;
     }
-    ASSERT_LE(way, step.way * (1.0 + 1e-9) + 1e-12) << "car " << i;
+    ASSERT_LE(way, step.length * (1.0 + 1e-9) + 1e-12) << "car " << i;
   }
   EXPECT_GT(sharp, 200);
 }

@@ -76,7 +76,7 @@ TEST(Drive, q_moves_on_a_parabola_and_the_axle_follows) {
     EXPECT_LT(norm(step.next.velocity - center_velocity(d.drive, axle)), 1e-6);
     EXPECT_LT(angle_between(step.next.heading, axle.heading), 5e-7);
     EXPECT_EQ(step.bend, 0.0);
-    EXPECT_GE(step.way, norm(step.next.position - d.state.position) * (1.0 - 1e-12));
+    EXPECT_GE(step.length, norm(step.next.position - d.state.position) * (1.0 - 1e-12));
     turned = std::max(turned, angle_between(step.next.heading, d.state.heading));
   }
   EXPECT_GT(turned, 0.5);
@@ -262,7 +262,7 @@ TEST(Drive, of_those_that_move_together_each_moves_as_it_does_alone) {
       EXPECT_EQ(step.result.next.heading, alone.next.heading);
       EXPECT_EQ(step.result.acceleration, alone.acceleration);
       EXPECT_EQ(step.result.bend, alone.bend);
-      EXPECT_EQ(step.result.way, alone.way);
+      EXPECT_EQ(step.result.length, alone.length);
       EXPECT_EQ(step.result.swing, alone.swing);
     }
   }

@@ -27,7 +27,7 @@ bool accepts(const Scenario& scenario) {
 }
 
 // Half of what two robots head-on at 2 m/s need between their edges.
-double stopping_way(const Scenario& scenario) {
+double stopping_vector(const Scenario& scenario) {
   const CertificateLaw law = certificate_law(scenario);
   return stopping_length(2.0, braking_decrement(1.0, law.step), law.step);
 }
@@ -35,7 +35,7 @@ double stopping_way(const Scenario& scenario) {
 TEST(Assumptions, head_on_is_accepted_up_to_the_last_millimeter) {
   for (const Kind kind : kKinds) {
     Scenario scene = head_on(1.0, kind);
-    const double needed = 1.0 + 2.0 * stopping_way(scene);
+    const double needed = 1.0 + 2.0 * stopping_vector(scene);
     EXPECT_TRUE(accepts(head_on(needed, kind)));
     EXPECT_TRUE(accepts(head_on(needed + 1e-3, kind)));
     const BrokenAssumptions broken = broken_assumptions(head_on(needed - 1e-3, kind));
@@ -49,7 +49,7 @@ TEST(Assumptions, head_on_is_accepted_up_to_the_last_millimeter) {
     EXPECT_FALSE(broken.unseen);
   }
   // 2 m each by a = 1 m/s² held over steps of 0.1 s
-  EXPECT_DOUBLE_EQ(stopping_way(head_on(1.0, kKinds[0])), 2.0);
+  EXPECT_DOUBLE_EQ(stopping_vector(head_on(1.0, kKinds[0])), 2.0);
 }
 
 TEST(Assumptions, crossing_one_after_the_other_breaks_none) {
