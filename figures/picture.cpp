@@ -20,7 +20,7 @@ struct MomentPainter::State {
   std::vector<Color> colors;
   std::optional<Canvas> canvas;  // of the last picture
 
-  void draw_ways(std::span<const TrajectoryFrame> frames, const std::vector<bool>& there);
+  void draw_paths(std::span<const TrajectoryFrame> frames, const std::vector<bool>& there);
 };
 
 MomentPainter::MomentPainter(const Scenario& scenario, const Box& world, int width, int height,
@@ -29,18 +29,18 @@ MomentPainter::MomentPainter(const Scenario& scenario, const Box& world, int wid
           scenario, world, 0.5 * width, 0.5 * height, robot_colors(scenario, views), {}}) {}
 MomentPainter::~MomentPainter() = default;
 
-void MomentPainter::State::draw_ways(std::span<const TrajectoryFrame> frames,
-                                     const std::vector<bool>& there) {
+void MomentPainter::State::draw_paths(std::span<const TrajectoryFrame> frames,
+                                      const std::vector<bool>& there) {
   const double closest = 0.5 / canvas->scale();
-  std::vector<Vec2> way;
+  std::vector<Vec2> path;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     if (scenario.robots[i].parked || !there[i]) continue;
-    way.clear();
+    path.clear();
     for (const TrajectoryFrame& frame : frames)
-      if (way.empty() || norm(frame.position[i] - way.back()) >= closest)
-        way.push_back(frame.position[i]);
-    if (way.size() < 2) continue;
-    canvas->add_polyline(way);
+      if (path.empty() || norm(frame.position[i] - path.back()) >= closest)
+        path.push_back(frame.position[i]);
+    if (path.size() < 2) continue;
+    canvas->add_polyline(path);
     canvas->stroke({mix(kWhite, colors[i], 0.45), 0.8});
   }
 }
@@ -55,7 +55,7 @@ std::string_view MomentPainter::paint(std::span<const TrajectoryFrame> frames,
   draw_walls(canvas, scenario.obstacles);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
     draw_goal(canvas, scenario.robots[i], mix(kWhite, state.colors[i], 0.6));
-  state.draw_ways(frames, there);
+  state.draw_paths(frames, there);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k)
     draw_mover(canvas, {now.mover_position[k], scenario.moving_obstacles[k].radius}, 1.0);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)

@@ -122,8 +122,8 @@ Box view_of_states(const Simulation::Perception& perception) {
   for (const Neighbor& neighbor : perception.neighbors)
     largest = std::max(largest, neighbor.radius);
   const double speed = std::max(norm(robot.velocity), 0.5 * robot.max_speed);
-  const double way = 0.5 * speed * speed / robot.max_acceleration;
-  return grown({robot.position, robot.position}, 2.0 * way + 2.0 * (robot.radius + largest));
+  const double braking = 0.5 * speed * speed / robot.max_acceleration;
+  return grown({robot.position, robot.position}, 2.0 * braking + 2.0 * (robot.radius + largest));
 }
 
 void draw_state_map(Canvas& canvas, const Box& page, const Simulation::Perception& perception,

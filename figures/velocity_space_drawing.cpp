@@ -130,7 +130,7 @@ std::optional<Vec2> line_end(const HalfPlane& plane, const Box& view, double ins
   const Box inner = grown(view, -inset);
   const auto side = forbidden_side(plane, view);
   const Vec2 from = side[0];
-  const Vec2 way = side[1] - side[0];
+  const Vec2 along = side[1] - side[0];
   double enter = 0.0;
   double leave = 1.0;
   const auto cut = [&](double start, double step, double lower, double upper) {
@@ -143,10 +143,10 @@ std::optional<Vec2> line_end(const HalfPlane& plane, const Box& view, double ins
     enter = std::max(enter, std::min(a, b));
     leave = std::min(leave, std::max(a, b));
   };
-  cut(from.x, way.x, inner.lower.x, inner.upper.x);
-  cut(from.y, way.y, inner.lower.y, inner.upper.y);
+  cut(from.x, along.x, inner.lower.x, inner.upper.x);
+  cut(from.y, along.y, inner.lower.y, inner.upper.y);
   if (enter > leave) return std::nullopt;
-  return from + leave * way;
+  return from + leave * along;
 }
 
 // Returns the center of the earliest disc that is well inside the view. It is near the rim, where

@@ -130,10 +130,10 @@ Comparison compare(const Run& run) {
 // goal; negative: right.
 double largest_detour(const Run& run, std::size_t robot) {
   const RobotSetup& setup = run.scenario.robots[robot];
-  const Vec2 way = (setup.goal - setup.position) / norm(setup.goal - setup.position);
+  const Vec2 direction = (setup.goal - setup.position) / norm(setup.goal - setup.position);
   double largest = 0.0;
   for (const auto& frame : run.frames) {
-    const double left = cross(way, frame.position[robot] - setup.position);
+    const double left = cross(direction, frame.position[robot] - setup.position);
     if (std::fabs(left) > std::fabs(largest)) largest = left;
   }
   return largest;
@@ -154,8 +154,8 @@ double final_speed(const Run& run) {
   const auto& before = run.frames[run.frames.size() - 2];
   double fastest = 0.0;
   for (std::size_t i = 0; i < last.position.size(); ++i) {
-    const double way = norm(last.position[i] - before.position[i]);
-    fastest = std::fmax(fastest, way / (last.time - before.time));
+    const double length = norm(last.position[i] - before.position[i]);
+    fastest = std::fmax(fastest, length / (last.time - before.time));
   }
   return fastest;
 }

@@ -185,8 +185,8 @@ avo_result avo_planner_evasion(avo_planner_id planner, const avo_robot* robot,
                     scratch().workspace, detour == nullptr ? nullptr : &remembered,
                     walls_of(walls, wall_count));
     const avo::Evasion none;
-    const avo::Evasion& way = known ? *known : none;
-    result = {to_c(way.velocity), way.duration, way.neighbor};
+    const avo::Evasion& shown = known ? *known : none;
+    result = {to_c(shown.velocity), shown.duration, shown.neighbor};
   });
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which places robots can reach among walls, each as if it were alone. SI units.
 #pragma once
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "avo/export.h"
+#include "avo/ids.h"
 #include "avo/scenario.h"
 #include "avo/vec.h"
 #include "avo/wall.h"
@@ -37,7 +37,7 @@ class AVO_API Reachability {
 
 /// A robot that cannot reach its goal because of obstacles and parked robots.
 struct OutOfReach {
-  std::size_t robot = 0;       ///< position in the scene's robots, the value of its id
+  RobotId robot;               ///< its value is its position in the scene's robots
   Vec2 nearest = {};           ///< m, the reachable place nearest to its goal
   double distance_left = 0.0;  ///< m, from there to the goal
   /// the goal is nearer to a wall than the radius; if false, there is no route

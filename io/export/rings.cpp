@@ -176,23 +176,23 @@ std::vector<Ring> rings_of(Borders borders) {
   std::vector<Ring> rings;
   for (const auto& [start, unused] : borders) {
     while (!unused.empty()) {
-      std::vector<Node> way{start};
+      std::vector<Node> path{start};
       std::map<Node, std::size_t> place{{start, 0}};
       Node before = start;
       do {
-        const std::optional<Node> next = take_next(borders, before, way.back());
+        const std::optional<Node> next = take_next(borders, before, path.back());
         if (!next)
           throw avo::Error("obstacles: found structures too fine for an area, must be coarser");
-        before = way.back();
-        const auto [seen, is_new] = place.try_emplace(*next, way.size());
-        way.push_back(*next);
+        before = path.back();
+        const auto [seen, is_new] = place.try_emplace(*next, path.size());
+        path.push_back(*next);
         if (is_new) continue;
         const std::size_t from = seen->second;
-        const Ring ring = ring_of(std::span(way).subspan(from, way.size() - 1 - from));
+        const Ring ring = ring_of(std::span(path).subspan(from, path.size() - 1 - from));
         if (ring.size() >= 3) rings.push_back(ring);
-        for (std::size_t k = from + 1; k + 1 < way.size(); ++k) place.erase(way[k]);
-        way.resize(from + 1);
-      } while (way.size() > 1);
+        for (std::size_t k = from + 1; k + 1 < path.size(); ++k) place.erase(path[k]);
+        path.resize(from + 1);
+      } while (path.size() > 1);
     }
   }
   return rings;

@@ -9,7 +9,7 @@
 namespace avo_io {
 namespace {
 
-struct Way {
+struct Direction {
   std::int64_t x = 0, y = 0;  // one of them 1 or -1
 };
 
@@ -19,28 +19,29 @@ class Walk {
   Walk(const OccupancyGrid& grid, Corner start) : grid_(grid), at_(start) {}
 
   [[nodiscard]] Corner at() const { return at_; }
-  [[nodiscard]] bool is_eastward() const { return way_.x == 1; }
-  void advance() { at_ = {at_.x + way_.x, at_.y + way_.y}; }
+  [[nodiscard]] bool is_eastward() const { return direction_.x == 1; }
+  void advance() { at_ = {at_.x + direction_.x, at_.y + direction_.y}; }
   /// Turns into the border's next edge; returns false if the border goes straight on.
   bool turn() {
-    const Way left{-way_.y, way_.x};
-    const bool free_left = is_free_ahead(left), free_right = is_free_ahead({way_.y, -way_.x});
+    const Direction left{-direction_.y, direction_.x};
+    const bool free_left = is_free_ahead(left),
+               free_right = is_free_ahead({direction_.y, -direction_.x});
     if (free_left && !free_right) return false;
-    way_ = free_left ? Way{way_.y, -way_.x} : left;
+    direction_ = free_left ? Direction{direction_.y, -direction_.x} : left;
     return true;
   }
 
  private:
   /// Returns whether the cell on that side, which touches the corner ahead, is free.
-  [[nodiscard]] bool is_free_ahead(Way side) const {
-    const std::int64_t x = at_.x + (way_.x + side.x > 0 ? 0 : -1);
-    const std::int64_t y = at_.y + (way_.y + side.y > 0 ? 0 : -1);
+  [[nodiscard]] bool is_free_ahead(Direction side) const {
+    const std::int64_t x = at_.x + (direction_.x + side.x > 0 ? 0 : -1);
+    const std::int64_t y = at_.y + (direction_.y + side.y > 0 ? 0 : -1);
     return grid_.is_free(x, grid_.height - 1 - y);
   }
 
   const OccupancyGrid& grid_;
   Corner at_;
-  Way way_{1, 0};
+  Direction direction_{1, 0};
 };
 
 }  // namespace

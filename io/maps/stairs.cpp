@@ -54,8 +54,8 @@ bool is_step(const Around& around, std::size_t k) {
 
 /// Returns the corner one cell from a towards b.
 Corner next_to(Corner a, Corner b) {
-  const Stretch way = from_to(a, b);
-  return {a.x + way.x / length(way), a.y + way.y / length(way)};
+  const Stretch stretch = from_to(a, b);
+  return {a.x + stretch.x / length(stretch), a.y + stretch.y / length(stretch)};
 }
 
 /// Returns whether the stretch has room for a cut at one end, and at the other end if that is an

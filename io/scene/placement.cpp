@@ -180,8 +180,8 @@ void append_robot(const avo::RobotSetup& model, GroupHeading heading, Vec2 start
   if (is_holonomic(robot.model)) return;
   if (heading == GroupHeading::random) robot.heading = random.between(-kPi, kPi);
   if (heading == GroupHeading::goal) {
-    const Vec2 way = goal - start;
-    robot.heading = avo::elementary::atan2(way.y, way.x);
+    const Vec2 line = goal - start;
+    robot.heading = avo::elementary::atan2(line.y, line.x);
   }
 }
 

@@ -19,9 +19,9 @@ Box box_of(const SpaceBox& bounds) {
 }
 
 Box box_of(const avo::Wall& wall, double low, double high) {
-  const avo::Vec2 way = wall.b - wall.a;
+  const avo::Vec2 line = wall.b - wall.a;
   Box box;
-  box.heading = way == avo::Vec2{} ? 0.0 : avo::elementary::atan2(way.y, way.x);
+  box.heading = line == avo::Vec2{} ? 0.0 : avo::elementary::atan2(line.y, line.x);
   const avo::Vec2 axis = avo::elementary::direction(box.heading);
   const auto along = [&](avo::Vec2 a) { return axis.x * a.x + axis.y * a.y; };
   const auto across = [&](avo::Vec2 a) { return axis.x * a.y - axis.y * a.x; };

@@ -40,12 +40,12 @@ std::vector<Disc> discs_of(const avo::FleetView& fleet) {
 
 void append_overlap(const Disc& disc, const std::string& other, Vec2 nearest, double radius,
                     Json& contacts) {
-  const Vec2 way = nearest - disc.center;
-  const double distance = norm(way), depth = disc.radius + radius - distance;
+  const Vec2 line = nearest - disc.center;
+  const double distance = norm(line), depth = disc.radius + radius - distance;
   if (!(depth > 1e-9 * (disc.radius + radius))) return;  // tolerance for rounding
   // in the middle of the overlap
   const double along = distance > 0.0 ? (disc.radius - 0.5 * depth) / distance : 0.0;
-  const Vec2 at = disc.center + along * way;
+  const Vec2 at = disc.center + along * line;
   contacts.push_back({{"a", disc.name}, {"b", other}, {"x", at.x}, {"y", at.y}, {"depth", depth}});
 }
 

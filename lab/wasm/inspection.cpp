@@ -52,7 +52,7 @@ std::vector<Vec2> circle_of(const avo::LoiterCircle& circle) {
 }
 
 /// Returns the path of a moving obstacle that keeps its present acceleration for so many steps.
-std::vector<Vec2> way_of(const avo::Neighbor& mover, std::size_t steps, double time_step) {
+std::vector<Vec2> path_ahead(const avo::Neighbor& mover, std::size_t steps, double time_step) {
   std::vector<Vec2> path;
   for (std::size_t k = 0; k < steps; ++k) {
     const double t = time_step * static_cast<double>(k);
@@ -133,10 +133,10 @@ AVO_EXPORT(std::size_t, braking_paths)(std::uint32_t robot) {
   for (std::size_t k = 0; k < seen.neighbors.size(); ++k) {
     const avo::Neighbor& neighbor = seen.neighbors[k];
     const bool brakes = neighbor.behavior == avo::Behavior::decides;
-    json.push_back(
-        {{"of", name_of(seen.source[k])},
-         {"points", flat(brakes ? path_of(neighbor) : way_of(neighbor, own.size(), law.time_step))},
-         {"radius", neighbor.radius}});
+    json.push_back({{"of", name_of(seen.source[k])},
+                    {"points", flat(brakes ? path_of(neighbor)
+                                           : path_ahead(neighbor, own.size(), law.time_step))},
+                    {"radius", neighbor.radius}});
   }
   return into_room(json.dump());
 }

@@ -29,11 +29,11 @@ std::vector<float> clearances_in_space(const SpaceRun& run) {
 /// Appends an overlap of a ball and of another one around the nearest point of another body.
 void append_overlap(const std::string& a, Vec3 center, double radius, const std::string& b,
                     Vec3 nearest, double other_radius, Json& contacts) {
-  const Vec3 way = nearest - center;
-  const double distance = norm(way), depth = radius + other_radius - distance;
+  const Vec3 line = nearest - center;
+  const double distance = norm(line), depth = radius + other_radius - distance;
   if (!(depth > kRounding * (radius + other_radius))) return;
   const Vec3 at =
-      distance > 0.0 ? center + (radius - 0.5 * depth) / distance * way : center;  // in the middle
+      distance > 0.0 ? center + (radius - 0.5 * depth) / distance * line : center;  // in the middle
   contacts.push_back({{"a", a}, {"b", b}, {"x", at.x}, {"y", at.y}, {"z", at.z}, {"depth", depth}});
 }
 

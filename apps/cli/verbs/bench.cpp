@@ -45,12 +45,12 @@ std::int64_t last_step_of(const avo::space::Scenario& scenario) {
 
 template <class Scenario>
 Course course_of(const Scenario& scenario, const BenchArguments& arguments) {
-  constexpr std::int64_t kWarmUp = 10, kFewest = 20, kUnderWay = 100, kRobotSteps = 20'000'000;
+  constexpr std::int64_t kWarmUp = 10, kFewest = 20, kInMotion = 100, kRobotSteps = 20'000'000;
   if (arguments.steps) return {kWarmUp, *arguments.steps, false};
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   const std::int64_t most = std::max(kFewest, kRobotSteps / robots);
   // its robots arrive one by one: the scene is representative only while nearly all are moving
-  if (scenario.name.starts_with("uniform-")) return {kWarmUp, std::min(kUnderWay, most), false};
+  if (scenario.name.starts_with("uniform-")) return {kWarmUp, std::min(kInMotion, most), false};
   return {0, std::min(last_step_of(scenario), most), true};
 }
 

@@ -111,11 +111,11 @@ std::vector<std::string> told_out_of_reach(const avo::Scenario& scenario) {
   const std::vector<avo::OutOfReach> all = avo::out_of_reach(scenario);
   std::vector<std::string> lines;
   for (const avo::OutOfReach& one : std::span(all).first(std::min(kNamed, all.size()))) {
-    const avo::RobotSetup& robot = scenario.robots[one.robot];
+    const avo::RobotSetup& robot = scenario.robots[one.robot.value];
     lines.push_back(fmt::format(
         "robot {}: its goal [{:.9g}, {:.9g}] {}: it goes to [{:.9g}, {:.9g}], {:.3g} m from "
         "there{}",
-        one.robot, robot.goal.x, robot.goal.y,
+        one.robot.value, robot.goal.x, robot.goal.y,
         one.is_in_wall
             ? fmt::format("is nearer to an obstacle than its radius = {:.9g} m", disc_radius(robot))
             : std::string("cannot be reached by any way as wide as the robot"),

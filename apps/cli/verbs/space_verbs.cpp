@@ -114,11 +114,11 @@ std::vector<std::string> told_out_of_reach(const avo::space::Scenario& scenario)
   const std::vector<avo::space::OutOfReach> all = out_of_reach(scenario);
   std::vector<std::string> lines;
   for (const avo::space::OutOfReach& one : std::span(all).first(std::min(kNamed, all.size()))) {
-    const avo::space::RobotSetup& robot = scenario.robots[one.robot];
+    const avo::space::RobotSetup& robot = scenario.robots[one.robot.value];
     lines.push_back(fmt::format(
         "robot {}: its goal [{:.9g}, {:.9g}, {:.9g}] {}: it goes to [{:.9g}, {:.9g}, {:.9g}], "
         "{:.3g} m from there",
-        one.robot, robot.goal.x, robot.goal.y, robot.goal.z,
+        one.robot.value, robot.goal.x, robot.goal.y, robot.goal.z,
         one.is_in_box ? fmt::format("is nearer to an obstacle than its radius = {:.9g} m",
                                     robot_of(robot).radius)
                       : std::string("cannot be reached by any way as wide as the robot"),

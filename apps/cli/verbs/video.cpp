@@ -30,7 +30,7 @@ namespace {
 
 namespace figures = avo::figures;
 
-constexpr double kWays = 4.0;  // s of the simulation: the duration of the shown traces
+constexpr double kTraces = 4.0;  // s of the simulation: the duration of the shown traces
 
 std::string ending_of(const std::string& path) {
   return std::filesystem::path(path).extension().string();
@@ -195,7 +195,7 @@ std::int64_t draw_frames(const VideoArguments& arguments, const Film& film,
   Progress progress(film.scenario.duration, true);
   std::vector<figures::TrajectoryFrame> frames;
   const double step = arguments.speed / arguments.fps;
-  const auto kept = static_cast<std::size_t>(std::ceil(kWays / step)) + 1;
+  const auto kept = static_cast<std::size_t>(std::ceil(kTraces / step)) + 1;
   std::int64_t count = 0;
   while (signal_caught() == 0) {
     const double time = film.extent.first + step * static_cast<double>(count);

@@ -268,10 +268,10 @@ class VectorEnv:
 
     def _home(self) -> Floats:
         """Straight to the goals, with half of the acceleration left when braking before them, m/s."""
-        way = self._worlds.goal() - self._worlds.position()
-        distance = np.linalg.norm(way, axis=2)
+        to_goal = self._worlds.goal() - self._worlds.position()
+        distance = np.linalg.norm(to_goal, axis=2)
         speed = np.minimum(np.sqrt(self._worlds.max_acceleration() * distance), distance / self.time_step)
-        home: Floats = way * (speed / np.where(distance > 0.0, distance, 1.0))[:, :, None]
+        home: Floats = to_goal * (speed / np.where(distance > 0.0, distance, 1.0))[:, :, None]
         return home
 
     def _observe(self) -> Observations:

@@ -26,13 +26,13 @@ def draw(scene: Scenario | Simulation, paths: npt.ArrayLike | None = None) -> st
     if not isinstance(scene, (Scenario, Simulation)):
         raise Error(f"scene: found {type(scene).__name__}, must be a Scenario or a Simulation")
     robots = _robots_of(scene)
-    ways = np.empty((0, 0, 2)) if paths is None else _numbers("paths", paths)
-    if not np.all(np.isfinite(ways)):
+    lines = np.empty((0, 0, 2)) if paths is None else _numbers("paths", paths)
+    if not np.all(np.isfinite(lines)):
         raise Error("paths: found a number that is not finite, must be finite")
-    if ways.ndim != 3 or ways.shape[2] != 2:
-        raise Error(f"paths: found shape {ways.shape}, must be (steps, n, 2)")
+    if lines.ndim != 3 or lines.shape[2] != 2:
+        raise Error(f"paths: found shape {lines.shape}, must be (steps, n, 2)")
     obstacles, movers = _obstacles_of(scene), _movers_of(scene)
-    low, high = _bounds(robots, ways, obstacles, movers)
+    low, high = _bounds(robots, lines, obstacles, movers)
     size = high - low
     scale = _WIDTH / float(size.max())
     parts = [
@@ -46,7 +46,7 @@ def draw(scene: Scenario | Simulation, paths: npt.ArrayLike | None = None) -> st
     parts += [_obstacle(obstacle, 2.0 / scale) for obstacle in obstacles]
     parts += [_disc(position, radius, 'fill="#999"') for position, radius in movers]
     colors = [css(color) for color in robot_colors(np.array([goal for _, _, goal in robots]))] or ["#333"]
-    parts += [_way(ways[:, k], colors[k % len(colors)]) for k in range(ways.shape[1])]
+    parts += [_line(lines[:, k], colors[k % len(colors)]) for k in range(lines.shape[1])]
     for (position, radius, goal), color in zip(robots, colors):
         parts.append(_cross(goal, 0.5 * radius, color))
         parts.append(_disc(position, radius, f'fill="{color}" fill-opacity="0.7" stroke="{color}"'))
@@ -73,12 +73,12 @@ def _movers_of(scene: Any) -> list[tuple[_Points, float]]:
 
 def _bounds(
     robots: list[tuple[_Points, float, _Points]],
-    ways: _Points,
+    lines: _Points,
     obstacles: list[StaticObstacle],
     movers: list[tuple[_Points, float]],
 ) -> tuple[_Points, _Points]:
     """m: the lower left and the upper right corner of all that is drawn, with a margin."""
-    points = [ways.reshape(-1, 2)]
+    points = [lines.reshape(-1, 2)]
     for position, radius, goal in robots:
         points.append(np.array([position - radius, position + radius, goal]))
     points += [np.array([position - radius, position + radius]) for position, radius in movers]
@@ -112,7 +112,7 @@ def _cross(at: _Points, size: float, color: str) -> str:
     )
 
 
-def _way(points: _Points, color: str) -> str:
+def _line(points: _Points, color: str) -> str:
     return f'<path d="M{"L".join(_at(p) for p in points)}" stroke="{color}"/>' if len(points) > 0 else ""
 
 
@@ -123,8 +123,8 @@ def _obstacle(obstacle: StaticObstacle, least: float) -> str:
         'stroke-linecap="round" stroke-linejoin="round"'
     )
     fill = "#ddd" if obstacle.fill == "solid" else "none"
-    ways = []
+    lines = []
     for chain in obstacle.chains:
         points = chain.points if len(chain.points) > 1 else chain.points * 2
-        ways.append("M" + "L".join(_at(p) for p in points) + ("Z" if chain.closed else ""))
-    return f'<path d="{"".join(ways)}" fill="{fill}" fill-rule="evenodd" {style}/>'
+        lines.append("M" + "L".join(_at(p) for p in points) + ("Z" if chain.closed else ""))
+    return f'<path d="{"".join(lines)}" fill="{fill}" fill-rule="evenodd" {style}/>'

@@ -143,7 +143,7 @@ void bind_airplanes(py::module_& module) {
       .def(py::self == py::self)
       .def_readonly("min_speed", &avo::Airplane::min_speed, "m/s, > 0")
       .def_readonly("lateral_acceleration", &avo::Airplane::lateral_acceleration,
-                    "[a_lat] m/s^2, > 0; max_acceleration is along its way")
+                    "[a_lat] m/s^2, > 0; max_acceleration is along its path")
       .def_readonly("after_goal", &avo::Airplane::after_goal, "\"loiter\" or \"leave\"");
   py::class_<avo::LoiterCircle>(module, "LoiterCircle",
                                 "The circle that an airplane falls back on.")

@@ -78,9 +78,10 @@ void bind_results(py::module_& module) {
   py::class_<Evasion>(module, "Evasion", "An evasive maneuver that is taken.")
       .def_readonly("neighbor", &Evasion::neighbor,
                     "position in the list of the neighbor that the robot evades")
-      .def_readonly("velocity", &Evasion::velocity,
-                    "(x, y), m/s, that the way approaches, or holds; 0: it brakes from the start; "
-                    "of an airplane where it begins to circle")
+      .def_readonly(
+          "velocity", &Evasion::velocity,
+          "(x, y), m/s, that the maneuver approaches, or holds; 0: it brakes from the start; "
+          "of an airplane where it begins to circle")
       .def_readonly("duration", &Evasion::duration,
                     "s, from the decision, after which it brakes or circles");
   using avo::SafetyReport;

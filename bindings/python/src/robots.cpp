@@ -36,7 +36,7 @@ void bind_robot(py::module_& module) {
           "position: (x, y), m, of its disc; velocity, preferred_velocity: m/s; radius: m, > 0; "
           "max_acceleration: m/s^2, > 0; max_speed: m/s, > 0; distance_to_goal: m; model: how it "
           "moves; heading: rad, counter-clockwise from +x; priority: > 0; max_braking: m/s^2, > 0, "
-          "None: max_acceleration; loiter: of an airplane; lookahead: m, to where its way turns.")
+          "None: max_acceleration; loiter: of an airplane; lookahead: m, to where its route turns.")
       .def_readwrite("position", &Robot::position, "[p_A] (x, y), m, the center of its disc")
       .def_readwrite("velocity", &Robot::velocity, "[v_A] (x, y), m/s, of this center")
       .def_readwrite("preferred_velocity", &Robot::preferred_velocity, "[v_A^pref] (x, y), m/s")
@@ -59,7 +59,7 @@ void bind_robot(py::module_& module) {
           "loiter", &Robot::loiter,
           "LoiterCircle that the others know of an airplane; None: that of position and velocity")
       .def_readwrite("lookahead", &Robot::lookahead,
-                     "m to the point at which preferred_velocity aims, where its way turns; inf: "
+                     "m to the point at which preferred_velocity aims, where its route turns; inf: "
                      "there is none nearer than its goal");
 }
 
@@ -229,7 +229,7 @@ void bind_detour(py::module_& module) {
                      "What a robot remembers; plan() updates it. Method avo only.")
       .def(py::init<>())
       .def(pickled<Detour>())
-      .def_readwrite("angle", &Detour::angle, "rad, how far it has turned off its way, right.")
+      .def_readwrite("angle", &Detour::angle, "rad, how far it has turned off its route, right.")
       .def_readwrite("beside", &Detour::beside, "v_max/a_max, 0 to 200.")
       .def_readwrite("congestion", &Detour::congestion, "robots ahead, 0 to 2.8.")
       .def_readwrite("has_arrived", &Detour::has_arrived,

@@ -80,7 +80,7 @@ py::list out_of_reach_of(const Scenario& scenario) {
   py::list list;
   for (const avo::OutOfReach& one : avo::out_of_reach(scenario)) {
     py::dict entry;
-    entry["robot"] = one.robot;
+    entry["robot"] = one.robot.value;
     entry["nearest"] = one.nearest;
     entry["distance_left"] = one.distance_left;
     entry["is_in_wall"] = one.is_in_wall;

@@ -57,7 +57,7 @@ void bind_results(py::module_& space) {
       });
   py::class_<Detour>(space, "Detour", "What a robot remembers; plan() updates it.")
       .def(py::init<>())
-      .def_readwrite("angle", &Detour::angle, "rad, how far it has turned off its way, right.")
+      .def_readwrite("angle", &Detour::angle, "rad, how far it has turned off its route, right.")
       .def_readwrite("beside", &Detour::beside, "v_max/a_max, 0 to 200.")
       .def_readwrite("congestion", &Detour::congestion, "robots ahead, 0 to 2.8.")
       .def_readwrite("has_arrived", &Detour::has_arrived,

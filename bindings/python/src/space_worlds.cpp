@@ -212,7 +212,7 @@ void bind_worlds(py::module_& space) {
            "of the k nearest robots within the sensing radius, nearest first; 0 where there are "
            "fewer.")
       .def("nearest_walls", &nearest_boxes, arg("k"),
-           "(E, N, k, 4) float32: the way to the nearest point, m, and 1 of the k nearest boxes "
+           "(E, N, k, 4) float32: the vector to the nearest point, m, and 1 of the k nearest boxes "
            "within the sensing radius, nearest first; 0 where there are fewer.")
       .def("position",
            points([](const SpaceWorld& w, std::size_t k) { return w.robots[k].position; }),

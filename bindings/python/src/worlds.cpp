@@ -268,7 +268,7 @@ void bind_worlds(py::module_& module) {
            "of a robot or -1 of a moving obstacle, of the k nearest within the sensing radius, "
            "nearest first; 0 where there are fewer.")
       .def("nearest_walls", &nearest_walls, arg("k"),
-           "(E, N, k, 3) float32: the way to the nearest point, m, and 1 of the k nearest walls "
+           "(E, N, k, 3) float32: the vector to the nearest point, m, and 1 of the k nearest walls "
            "within the sensing radius, nearest first; 0 where there are fewer.")
       .def("movers", &movers_of, arg("world"),
            "(m, 3) float64: places and radii of its moving obstacles, m.")

@@ -12,14 +12,14 @@ namespace avo_python {
 namespace {
 
 /// Returns the displacement from a point to the surface of a wall; 0 from a point within it.
-avo::Vec2 way_to(const avo::Wall& wall, avo::Vec2 from) {
+avo::Vec2 vector_to(const avo::Wall& wall, avo::Vec2 from) {
   const avo::Vec2 along = wall.b - wall.a;
   const double squared = norm_squared(along);
   const double part =
       squared > 0.0 ? std::clamp(dot(from - wall.a, along) / squared, 0.0, 1.0) : 0.0;
-  const avo::Vec2 way = wall.a + part * along - from;
-  const double distance = norm(way);
-  return distance > wall.radius ? (1.0 - wall.radius / distance) * way : avo::Vec2{};
+  const avo::Vec2 vector = wall.a + part * along - from;
+  const double distance = norm(vector);
+  return distance > wall.radius ? (1.0 - wall.radius / distance) * vector : avo::Vec2{};
 }
 
 }  // namespace
@@ -30,11 +30,11 @@ py::array_t<float> nearest_walls(const Worlds& self, std::size_t k) {
   return rows_of_nearest(
       self, k, 3,
       [radius](const World& world, std::size_t i, auto& near) {
-        find_within(world.walls, world.robots[i].position, radius, way_to, near);
+        find_within(world.walls, world.robots[i].position, radius, vector_to, near);
       },
       [](const World& world, std::size_t i, std::size_t wall, float* row) {
-        const avo::Vec2 way = way_to(world.walls[wall], world.robots[i].position);
-        row[0] = static_cast<float>(way.x), row[1] = static_cast<float>(way.y), row[2] = 1.0F;
+        const avo::Vec2 vector = vector_to(world.walls[wall], world.robots[i].position);
+        row[0] = static_cast<float>(vector.x), row[1] = static_cast<float>(vector.y), row[2] = 1.0F;
       });
 }
 

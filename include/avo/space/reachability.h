@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which goals boxes keep robots of space from (docs/space.md, "Routes and passages"). SI units.
 #pragma once
-#include <cstddef>
 #include <vector>
 
 #include "avo/export.h"
+#include "avo/ids.h"
 #include "avo/space/scenario.h"
 
 namespace avo::space {
 
 /// A robot that cannot reach its goal because of boxes.
 struct OutOfReach {
-  std::size_t robot = 0;       ///< position in the scene's robots, the value of its id
+  RobotId robot;               ///< its value is its position in the scene's robots
   Vec3 nearest = {};           ///< m, the place near its goal at which its route ends
   double distance_left = 0.0;  ///< m, from there to the goal
   /// the goal is nearer to a box than the radius; if false, there is no route

@@ -86,7 +86,7 @@ export const TOUR: TourStep[] = [
         "velocity counts more than the new one. What can be chosen is a disc of the radius δ aₘₐₓ around v.",
     ],
     look: ["The obstacle's rim is a curve now: the exact boundary of Eq. (29).", "The solid circle is the reach D(v, δ aₘₐₓ).",
-      "The large dot is the velocity after this step: a part of the way from v to v′.",
+      "The large dot is the velocity after this step: a part of the step from v to v′.",
       "Acceleration, below: it stays within the limit."],
     tries: [{ label: "control time, δ", path: "control_time", range: { least: 0.5, most: 4, step: 0.25, unit: "s", start: 2 } }],
     reference: "§III-B, Definition 2, Eqs. (7) to (13), (27) to (29), Figs. 3 and 4", robot: 0, time: 1.5, speed: 1,

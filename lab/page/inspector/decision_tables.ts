@@ -69,8 +69,8 @@ function contactRows(decision: Decision): Row[] {
 function evasionRows(decision: Decision): Row[] {
   if (!decision.evading) return [];
   const { velocity, until } = decision.evading;
-  const way = norm(velocity) > 0 ? `towards ${pair(velocity)} m/s until ${digits(until)} s` : "brakes";
-  return [{ name: "evading", label: "evades", value: `${evadedOf(decision)}: ${way}`, exact: decision.evading, title: "the mover that it evades, and by which evasive maneuver (docs/movers.md)" }];
+  const maneuver = norm(velocity) > 0 ? `towards ${pair(velocity)} m/s until ${digits(until)} s` : "brakes";
+  return [{ name: "evading", label: "evades", value: `${evadedOf(decision)}: ${maneuver}`, exact: decision.evading, title: "the mover that it evades, and by which evasive maneuver (docs/movers.md)" }];
 }
 
 function waitRows(decision: Decision): Row[] {

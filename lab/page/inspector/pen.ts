@@ -72,13 +72,13 @@ export function lineEnd(cut: HalfPlane, view: View): Vec | null {
   const [from, to] = forbiddenSide(cut, box);
   let enter = 0, leave = 1;
   for (const axis of [0, 1] as const) {
-    const way = to[axis] - from[axis];
+    const line = to[axis] - from[axis];
     const lower = box[axis] + inset, upper = box[axis + 2]! - inset;
-    if (way === 0) {
+    if (line === 0) {
       if (from[axis] < lower || from[axis] > upper) return null;
       continue;
     }
-    const a = (lower - from[axis]) / way, b = (upper - from[axis]) / way;
+    const a = (lower - from[axis]) / line, b = (upper - from[axis]) / line;
     enter = Math.max(enter, Math.min(a, b)), leave = Math.min(leave, Math.max(a, b));
   }
   return enter > leave ? null : [from[0] + leave * (to[0] - from[0]), from[1] + leave * (to[1] - from[1])];

@@ -95,10 +95,10 @@ export function touchesIn(moment: Moment, info: SceneInfo): Touch[] {
     if (depth <= 1e-9) return;
     const [a, b] = first.row < second.row ? [first, second] : [second, first];
     const [below_a, below_b] = drops(a, b);
-    const way = [b.x - a.x, b.y - a.y, b.z - below_b - a.z + below_a] as const;
-    const share = (a.radius - depth / 2) / (Math.hypot(...way) || 1);
-    const [x, y] = [a.x + share * way[0], a.y + share * way[1]];
-    const height = moment.dimensions === 3 ? { z: a.z - below_a + share * way[2] } : {};
+    const line = [b.x - a.x, b.y - a.y, b.z - below_b - a.z + below_a] as const;
+    const share = (a.radius - depth / 2) / (Math.hypot(...line) || 1);
+    const [x, y] = [a.x + share * line[0], a.y + share * line[1]];
+    const height = moment.dimensions === 3 ? { z: a.z - below_a + share * line[2] } : {};
     touches.push({ a: `robots.${moment.robot[a.row]}`, b: `robots.${moment.robot[b.row]}`, x, y, ...height, depth });
   });
   return touches;

@@ -94,15 +94,15 @@ export function solidOf({ min, max, heading, radius, obstacle }: BoxInfo, bounds
 
 /** Returns the distance at which a ray leaves the box; null if the ray does not meet it. */
 function exitOf({ min, max, heading, radius }: BoxInfo, place: Vec3, direction: Vec3): number | null {
-  const [from, way] = [turned(place, -heading), turned(direction, -heading)];
+  const [from, ray] = [turned(place, -heading), turned(direction, -heading)];
   let [enter, leave] = [0, Infinity];
   for (let k = 0; k < 3; ++k) {
     const [low, high] = [(min[k] ?? -Infinity) - radius, (max[k] ?? Infinity) + radius];
-    if (Math.abs(way[k]!) < 1e-12) {
+    if (Math.abs(ray[k]!) < 1e-12) {
       if (from[k]! < low || from[k]! > high) return null;
       continue;
     }
-    const [a, b] = [(low - from[k]!) / way[k]!, (high - from[k]!) / way[k]!];
+    const [a, b] = [(low - from[k]!) / ray[k]!, (high - from[k]!) / ray[k]!];
     enter = Math.max(enter, Math.min(a, b));
     leave = Math.min(leave, Math.max(a, b));
   }

@@ -96,9 +96,9 @@ flat out vec4 v_color;
 void main() {
   vec4 place = texel(0);  // a, b (m)
   vec4 width = texel(2);  // half of it (m), half of it at least (pixels), share of the color at a, flat ends
-  vec2 way = (place.zw - place.xy) * u_scale;
-  v_length = length(way);
-  vec2 along = v_length > 0.0 ? way / v_length : vec2(1.0, 0.0);
+  vec2 line = (place.zw - place.xy) * u_scale;
+  v_length = length(line);
+  vec2 along = v_length > 0.0 ? line / v_length : vec2(1.0, 0.0);
   v_half = max(width.x * u_scale, width.y * u_density);
   float reach = v_half + 1.0;
   vec2 side = corner();

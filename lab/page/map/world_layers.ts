@@ -108,8 +108,8 @@ export function drawWalls(layers: Layers, lab: Lab, paint: Paint): void {
   });
 }
 
-/** Draws the start of a run: the goal of each robot. */
-export function drawWays(layers: Layers, shown: Shown, colors: Rgb[]): void {
+/** Draws the lines from the robots to their goals, at the start of a run. */
+export function drawGoalLines(layers: Layers, shown: Shown, colors: Rgb[]): void {
   const { moment, goal } = shown;
   if (moment.steps > 0 || moment.robot.length > MANY_GOALS) return;
   const alpha = Math.min(0.45, 6 / moment.robot.length);

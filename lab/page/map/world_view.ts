@@ -14,7 +14,7 @@ import { cornersOf, middleOf, stageOf, type Stage } from "./stage.ts";
 import { noteTrails, type Trails } from "./trails.ts";
 import { look, makePainter, paint, type Painter } from "./webgl.ts";
 import {
-  drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, drawWays, homeAngles, homeColors, Layers, robotColors,
+  drawContacts, drawGoals, drawGrid, drawHeads, drawMovers, drawRobots, drawTrails, drawWalls, drawGoalLines, homeAngles, homeColors, Layers, robotColors,
   themePaint, type Paint,
 } from "./world_layers.ts";
 
@@ -138,7 +138,7 @@ function fillLayers(lab: PageLab, view: WorldView, { layers, trails, theme, home
   if (trailsAreOld) drawTrails(layers, trails, shown, colors);
   if (space) drawGround(layers, space.stage, shown, theme);
   else drawGrid(layers, camera, theme);
-  drawWays(layers, shown, colors);
+  drawGoalLines(layers, shown, colors);
   if (space) drawBoxes(layers, lab, space.stage, shown, space.orbit, theme);
   else drawWalls(layers, lab, theme);
   if (space) drawDownwash(layers, shown, colors);

@@ -23,8 +23,11 @@ std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
     const Travel travel =
         routes.plan(radius, disc_center(robot), robot.goal, arrival_distance_of(scenario, robot));
     if (travel.ends == RouteEnd::goal) continue;
-    result.push_back({k, travel.place, norm(robot.goal - travel.place),
-                      !routes.is_free(radius, robot.goal), travel.ends == RouteEnd::beside});
+    result.push_back({{k},
+                      travel.place,
+                      norm(robot.goal - travel.place),
+                      !routes.is_free(radius, robot.goal),
+                      travel.ends == RouteEnd::beside});
   }
   return result;
 }

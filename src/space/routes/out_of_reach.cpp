@@ -19,7 +19,7 @@ std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
     ways.look(k, robots[k], goals[k], scratch);
     const SpaceRoute* route = ways.route(k);
     if (route == nullptr || route->reaches || route->points.empty()) continue;
-    found.push_back({k, route->points.back().place, route->left, route->is_in_box});
+    found.push_back({{k}, route->points.back().place, route->left, route->is_in_box});
   }
   return found;
 }

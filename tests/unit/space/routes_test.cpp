@@ -158,7 +158,7 @@ TEST(SpaceRoutes, to_goals_out_of_reach_end_near_them_until_a_door_opens) {
   scene.boxes = shell;
   const std::vector<OutOfReach> told = out_of_reach(scene);
   ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told[0].robot, 0U);
+  EXPECT_EQ(told[0].robot, RobotId{0});
   EXPECT_FALSE(told[0].is_in_box);
   EXPECT_NEAR(told[0].distance_left, 3.5, 0.1);
   Simulation simulation(scene);

@@ -150,7 +150,7 @@ TEST(HeldPassages, without_another_way_are_waited_at) {
 // It does not turn back for it: by then its shortest way leads elsewhere.
 TEST(HeldPassages, are_open_again_to_whoever_has_gone_around) {
   World world(held_scene(2, {0}), std::make_unique<SerialExecutor>());
-  world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
+  world.travels = plan_travels(world.routes, world.fleet, world.floor, 0.5);
   const auto closed = [&] { return world.travels[0].waiting.closed.size(); };
   double opened_at = -100.0;  // m
   int openings = 0;

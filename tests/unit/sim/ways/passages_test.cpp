@@ -176,15 +176,15 @@ TEST(Claims, OutsideOnlyInSightOfTheMouth) {
     robot.velocity = is_hidden ? Vec2{0.5, -0.5} : Vec2{0.5, 0.5};
     scene.robots = {robot};
     World world(scene, std::make_unique<SerialExecutor>());
-    world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
+    world.travels = plan_travels(world.routes, world.fleet, world.floor, 0.5);
     find_walls(world);
-    ASSERT_FALSE(world.ways.front().passages.empty());
+    ASSERT_FALSE(world.routes.front().passages.empty());
     std::vector<Claims> claims;
     SerialExecutor serial;
     collect_claims(world, serial, claims);
     bool claims_door = false;
     for (const Claimant& claimant : claims.front().claimants) {
-      const Passage& passage = world.ways.front().passages[claimant.claim.passage];
+      const Passage& passage = world.routes.front().passages[claimant.claim.passage];
       claims_door = claims_door || norm(passage.axis[1]) < 0.1;
     }
     EXPECT_EQ(claims_door, !is_hidden);
@@ -196,11 +196,12 @@ TEST(Claims, EndInsideWhereTheGoalIs) {
   scene.obstacles = {test::pieces(test::corridor(1.6))};
   scene.robots = {test::robot_at({0, 0}, {0, 0})};
   World world(scene, std::make_unique<SerialExecutor>());
-  world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
+  world.travels = plan_travels(world.routes, world.fleet, world.floor, 0.5);
   find_walls(world);
   const Travel& travel = world.travels[0];
   const auto claim =
-      look_ahead(world.ways.front().passages, *travel.graph, *travel.map, {}, travel.target).claim;
+      look_ahead(world.routes.front().passages, *travel.graph, *travel.map, {}, travel.target)
+          .claim;
   ASSERT_TRUE(claim && claim->inside);
   EXPECT_TRUE(claim->ends);
 }
@@ -212,17 +213,17 @@ TEST(Claims, InsideHoldHoweverLongThePassageIs) {
   for (const double x : {-19.0, 0.0, 19.0})
     scene.robots.push_back(test::robot_at({x, 0}, {25, -6}));
   World world(scene, std::make_unique<SerialExecutor>());
-  world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
+  world.travels = plan_travels(world.routes, world.fleet, world.floor, 0.5);
   find_walls(world);
   for (std::size_t k = 0; k < scene.robots.size(); ++k) {
     const Travel& travel = world.travels[k];
-    const auto claim = look_ahead(world.ways.front().passages, *travel.graph, *travel.map,
+    const auto claim = look_ahead(world.routes.front().passages, *travel.graph, *travel.map,
                                   scene.robots[k].position, travel.target)
                            .claim;
     ASSERT_TRUE(claim) << k;
     EXPECT_TRUE(claim->inside && !claim->ends) << k;
     const Vec2 out =
-        axis_point(world.ways.front().passages[claim->passage], claim->forward, 0.0).direction;
+        axis_point(world.routes.front().passages[claim->passage], claim->forward, 0.0).direction;
     EXPECT_NEAR(out.x, 1.0, 1e-12) << k;
   }
 }
@@ -248,15 +249,15 @@ TEST(Claims, LanesAreNotThoseOfAPassageBehindAWall) {
 // Each passage's own ones, however many parts there are.
 TEST(Claims, AreListedByPassage) {
   World world(test::crowd_at_doors(100, RightOfWay::seen), std::make_unique<SerialExecutor>());
-  world.travels = plan_travels(world.ways, world.fleet, world.floor, 0.5);
+  world.travels = plan_travels(world.routes, world.fleet, world.floor, 0.5);
   for (int k = 0; k < 60; ++k) step(world);
   std::vector<Claims> claims;
   SerialExecutor serial;
   collect_claims(world, serial, claims);
-  ASSERT_EQ(claims.front().first.size(), world.ways.front().passages.size() + 1);
+  ASSERT_EQ(claims.front().first.size(), world.routes.front().passages.size() + 1);
   EXPECT_GE(claims.front().claimants.size(), 50u);
   std::size_t listed = 0;
-  for (std::uint32_t number = 0; number < world.ways.front().passages.size(); ++number) {
+  for (std::uint32_t number = 0; number < world.routes.front().passages.size(); ++number) {
     listed += claims.front().of(number).size();
     for (const Claimant& claimant : claims.front().of(number))
       EXPECT_EQ(claimant.claim.passage, number);
