@@ -204,6 +204,18 @@ TEST(ExplanationsInSpace, end_in_what_the_robot_does_and_each_stage_follows) {
   EXPECT_GT(counts.ages, 100);
 }
 
+TEST(ExplanationsInSpace, of_numbers_that_are_none_end_in_braking) {
+  const Planner planner{avo::PlannerOptions{.method = avo::Method::avo}};
+  avo::space::PlanWorkspace workspace;
+  const avo::space::Robot robot{.velocity = {1.0, 0.0, 0.5}, .preferred_velocity = {2.0, 0.0, 0.0}};
+  const avo::space::Neighbor nowhere{.position = {std::nan(""), 0.0, 0.0}};
+  const DecisionTrace trace = planner.explain(robot, {&nowhere, 1}, workspace);
+  EXPECT_EQ(trace.plan.status, PlanStatus::invalid_input);
+  EXPECT_EQ(trace.wish, robot.preferred_velocity);
+  EXPECT_EQ(trace.proposal, trace.plan.next_velocity);
+  EXPECT_LT(norm(trace.plan.next_velocity), norm(robot.velocity));
+}
+
 bool has_name(const std::string& sentence) {
   const char* const names[] = {"robot ", "robots ", "obstacle ", "obstacles ", "goal"};
   return std::any_of(std::begin(names), std::end(names), [&](const char* name) {
