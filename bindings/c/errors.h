@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a call reports failure: a result, and a message of this thread.
 #pragma once
+#include <cstddef>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -43,6 +45,15 @@ inline void require_room(std::size_t capacity, std::size_t needed) {
   if (capacity < needed)
     fail(AVO_ERROR_BUFFER_TOO_SMALL,
          "capacity: found " + std::to_string(capacity) + ", must be >= " + std::to_string(needed));
+}
+
+/// Writes the bytes into the caller's buffer if there is one, and their number in any case.
+inline void write_bytes(const void* bytes, std::size_t size, void* buffer, std::size_t capacity,
+                        std::size_t& written) {
+  written = size;
+  if (buffer == nullptr) return;
+  require_room(capacity, size);
+  std::memcpy(buffer, bytes, size);
 }
 
 /// The result for the exception that is being handled; stores its message.

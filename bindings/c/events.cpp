@@ -79,9 +79,6 @@ avo_result avo_simulation_event_sentence(avo_simulation_id simulation, size_t ev
                                         ", must be less than the number of events, " +
                                         std::to_string(events.size()));
     const std::string& sentence = events[event].sentence;
-    written = sentence.size() + 1;
-    if (buffer == nullptr) return;
-    require_room(capacity, written);
-    std::memcpy(buffer, sentence.c_str(), written);
+    write_bytes(sentence.c_str(), sentence.size() + 1, buffer, capacity, written);
   });
 }

@@ -174,10 +174,7 @@ avo_result avo_navigator_explain(avo_navigator_id navigator, const avo_robot* ro
         navigators.at(navigator)
             .explain(read_robot(robot), neighbors_of(neighbors, neighbor_count, "neighbors"))
             .sentence;
-    written = words.size() + 1;
-    if (buffer == nullptr) return;
-    require_room(capacity, written);
-    std::memcpy(buffer, words.c_str(), written);
+    write_bytes(words.c_str(), words.size() + 1, buffer, capacity, written);
   });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A simulation's state, and decisions in words, as bytes in the caller's memory.
 #include <cstddef>
-#include <cstring>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,15 +15,6 @@ std::span<const std::byte> bytes_of(const void* saved, std::size_t size) {
   const auto* bytes = static_cast<const std::byte*>(saved);
   require_array(bytes, size, "saved");
   return {bytes, size};
-}
-
-// Writes the bytes into the buffer if there is one, and their number in any case.
-void write_bytes(const void* bytes, std::size_t size, void* buffer, std::size_t capacity,
-                 std::size_t& written) {
-  written = size;
-  if (buffer == nullptr) return;
-  require_room(capacity, size);
-  std::memcpy(buffer, bytes, size);
 }
 
 }  // namespace

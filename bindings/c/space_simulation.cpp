@@ -5,23 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "avo/space/simulation.h"
 #include "convert.h"
-#include "handles.h"
 #include "scene_files.h"
 #include "space_convert.h"
+#include "space_simulations.h"
 
 namespace avo_c {
 namespace {
-
-AVO_C_CONSTINIT Handles<avo_space_simulation_id, avo::space::Simulation> fleets("space simulation");
-
-std::size_t checked(const avo::space::Simulation& fleet, std::size_t robot) {
-  if (robot >= fleet.size())
-    fail(AVO_ERROR_INVALID_ARGUMENT,
-         "robot: found " + std::to_string(robot) + ", must be < " + std::to_string(fleet.size()));
-  return robot;
-}
 
 int checked_threads(std::int32_t threads) {
   if (threads < 0 || threads > 1024)

@@ -2,6 +2,7 @@
 #include "cpp_runs.h"
 
 #include "avo/simulation.h"
+#include "avo/space/explanation.h"
 #include "avo/space/planner.h"
 #include "avo/space/simulation.h"
 #include "avo_io/scene.h"
@@ -106,7 +107,9 @@ void cpp_yard_hashes(uint64_t hashes[3]) {
   hashes[2] = simulation.state_hash();
 }
 
-std::uint64_t cpp_space_hash(int steps) {
+namespace {
+
+avo::space::Simulation space_after(int steps) {
   avo::space::Scenario scenario;
   for (int k = 0; k < 6; ++k) {
     avo::space::RobotSetup& robot = scenario.robots.emplace_back();
@@ -127,7 +130,19 @@ std::uint64_t cpp_space_hash(int steps) {
   scenario.boxes.push_back(floor);
   avo::space::Simulation simulation(scenario);
   for (int k = 0; k < steps; ++k) simulation.step();
-  return simulation.state_hash();
+  return simulation;
+}
+
+}  // namespace
+
+std::uint64_t cpp_space_hash(int steps) {
+  return space_after(steps).state_hash();
+}
+
+void cpp_space_words(int steps, int robot, char* words, std::size_t capacity) {
+  const avo::space::Simulation simulation = space_after(steps);
+  const std::string sentence = simulation.explain({static_cast<std::uint64_t>(robot)}).sentence;
+  words[sentence.copy(words, capacity - 1)] = '\0';
 }
 
 void cpp_space_decision(int neighbor_age, int mover_age, double next_velocity[3]) {

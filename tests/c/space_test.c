@@ -2,6 +2,7 @@
 /* Robots of space in C: a fleet with the hash of C++, a decision, refusals, set points. */
 #include <avo_c/space.h>
 #include <math.h>
+#include <string.h>
 
 #include "check.h"
 #include "cpp_runs.h"
@@ -47,6 +48,23 @@ static avo_space_simulation_id make_fleet(void) {
   def.threads = 1;
   REQUIRE(avo_create_space_simulation(&def, &fleet));
   return fleet;
+}
+
+static void decisions_are_told_as_in_cpp(void) {
+  avo_space_simulation_id fleet = make_fleet();
+  char words[512], expected[512];
+  size_t size = 0;
+  for (int k = 0; k < 50; ++k) REQUIRE(avo_space_simulation_step(fleet));
+  REQUIRE(avo_space_simulation_explain(fleet, 3, NULL, 0, &size));
+  CHECK(size > 20 && size <= sizeof words);
+  REFUSES(avo_space_simulation_explain(fleet, 3, words, size - 1, &size),
+          AVO_ERROR_BUFFER_TOO_SMALL, "capacity: found");
+  REQUIRE(avo_space_simulation_explain(fleet, 3, words, sizeof words, &size));
+  cpp_space_words(50, 3, expected, sizeof expected);
+  CHECK(strlen(words) + 1 == size && strcmp(words, expected) == 0);
+  REFUSES(avo_space_simulation_explain(fleet, 6, NULL, 0, &size), AVO_ERROR_INVALID_ARGUMENT,
+          "robot: found 6");
+  REQUIRE(avo_destroy_space_simulation(fleet));
 }
 
 static void a_fleet_moves_as_in_cpp(void) {
@@ -203,6 +221,7 @@ static void scene_files_are_read(void) {
 
 int main(void) {
   a_fleet_moves_as_in_cpp();
+  decisions_are_told_as_in_cpp();
   one_robot_gives_way();
   one_robot_evades_what_moves();
   set_points_are_one_delay_late();

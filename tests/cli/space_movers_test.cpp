@@ -68,6 +68,22 @@ TEST(SpaceMovers, are_run_drawn_and_judged_with_the_scene) {
   EXPECT_THAT(check.out, HasSubstr("moving obstacles   0 hit by a robot in motion"));
 }
 
+TEST(SpaceMovers, are_named_where_a_robot_makes_room_for_them) {
+  const std::string scene = path_of("way.yaml");
+  write_file(scene, kInTheWay + "sensing: {noise: {position: 0.01, velocity: 0.01}, delay: 1}\n");
+  const std::vector<std::string> words{"explain", scene, "--robot", "0", "--time", "0.7"};
+  const ProcessResult told = run_avo(words);
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("sees                0 robots, 0 boxes and 1 moving obstacles"));
+  EXPECT_THAT(told.out, HasSubstr(", of moving obstacle 0"));
+  std::vector<std::string> as_json = words;
+  as_json.emplace_back("--json");
+  const Json json = Json::parse(run_avo(as_json).out);
+  EXPECT_EQ(json["half_spaces"][0]["neighbor"], "moving_obstacles.0");
+  EXPECT_EQ(json["neighbors"][0]["behavior"], "moves_on");
+  EXPECT_THAT(json["sentence"].get<std::string>(), HasSubstr("moving obstacle 0"));
+}
+
 TEST(SpaceMovers, a_hit_at_rest_is_judged_as_asked) {
   const std::string scene = path_of("hit.yaml"), csv = path_of("hit.csv");
   write_file(scene, kInTheWay);

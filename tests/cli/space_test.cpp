@@ -263,7 +263,7 @@ TEST(SpaceScenes, explained_half_spaces_are_those_that_bind) {
   const avo::Vec3 change = point(json["next_velocity"]) - point(json["velocity"]);
   EXPECT_NEAR(dot(normal, change), norm(change), 1e-9);
   EXPECT_LT(dot(normal, point(json["preferred_velocity"])), plane["offset"].get<double>() - 1e-3);
-  EXPECT_EQ(json["binding"], Json::array({1}));
+  EXPECT_EQ(json["trace"]["binding"], Json::array({1}));
   EXPECT_THAT(json["sentence"], HasSubstr("the half-space of robot 1 binds"));
 }
 

@@ -164,6 +164,9 @@ def test_a_decision_is_explained(scene, command_line):
     assert told == json.loads(command_line("explain", scene, "--robot", 3, "--time", 2.5, "--json").stdout)
     simulation = avo.space.Simulation(scene)
     simulation.step(25)
+    assert simulation.explain(3) == told
+    with pytest.raises(avo.Error, match="robot: found 20, must be 0 to 19"):
+        simulation.explain(20)
     assert told["position"] == simulation.position()[3].tolist()
     simulation.step()
     assert told["next_velocity"] == simulation.velocity()[3].tolist()
@@ -171,6 +174,20 @@ def test_a_decision_is_explained(scene, command_line):
     assert told["sentence"].startswith("Robot 3 ")
     with pytest.raises(avo.Error, match="robot: found 20, must be 0 to 19"):
         avo.space.explain(scene, 20)
+
+
+def test_decisions_beside_moving_obstacles_are_explained():
+    simulation = avo.space.Simulation({
+        "version": 1, "space": 3, "sensing": {"noise": {"position": 0.01, "velocity": 0.01}},
+        "moving_obstacles": [{"position": [-6, 0, 0], "velocity": [3, 0, 0], "radius": 0.4}],
+        "robots": [{"position": [0, 0, 0], "goal": [0, 0, 0]}]})
+    told = []
+    for _ in range(20):
+        told.append(simulation.explain(0))
+        simulation.step()
+        assert told[-1]["next_velocity"] == simulation.velocity()[0].tolist()
+    assert any("moving obstacle 0" in one["sentence"] for one in told)
+    assert told[0]["neighbors"][0]["neighbor"] == "moving_obstacles.0"
 
 
 def test_bad_numbers_are_a_status_and_other_points_are_refused():

@@ -8,11 +8,12 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "avo/space/explanation.h"
-#include "avo_io/space.h"
+#include "scenario/space_scenes.h"
 
 namespace avo_test::in_space {
 namespace {
@@ -26,46 +27,6 @@ using avo::space::Planner;
 using avo::space::Simulation;
 
 constexpr double kTolerance = 1e-6;  // m/s
-
-struct SpaceRun {
-  std::string name;
-  avo::space::Scenario scenario;
-};
-
-avo::space::Scenario parsed(const std::string& yaml) {
-  return avo_io::parse_space_scenario("version: 1\nspace: 3\n" + yaml, "scene.yaml");
-}
-
-const std::string kSphere =
-    "groups:\n  - {count: 30, sphere: {radius: 5}, goal: antipodal, jitter: 0.2}\n";
-const std::string kBalls = R"(moving_obstacles:
-  - {trajectory: [[0, -12, 1, 0], [8, 12, -1, 0]], radius: 1}
-  - {position: [0, 0, 25], velocity: [0, 0, -3], radius: 0.4, max_deviation: 0.2, max_speed: 4}
-)";
-const std::string kSenses =
-    "sensing: {noise: {position: 0.02, velocity: 0.04}, delay: 1, dropped: 0.1}\n";
-
-// Spheres with all that robots can sense, and the examples.
-std::vector<SpaceRun> space_runs() {
-  std::vector<SpaceRun> all{
-      {"antipodal", parsed(kSphere)},
-      {"at once", parsed("response_time: 0\nmax_neighbors: 8\n" + kSphere)},
-      {"uncertified", parsed("certificate: none\n" + kSphere)},
-      {"boxes", parsed("obstacles:\n  - {floor: -6}\n  - {box: {min: [-1, -1, -1], max: [1, 1, 1]}}"
-                       "\n" +
-                       kSphere)},
-      {"movers", parsed(kBalls + kSphere)},
-      {"errors", parsed(kSenses + kSphere)},
-      {"errors beside movers", parsed(kSenses + kBalls + kSphere)},
-      {"unequal limits",
-       parsed("groups:\n  - {count: 24, sphere: {radius: 6}, goal: antipodal, vertical: 0.6, "
-              "climb: 1, sink: 0.8, downwash: 0.7, jitter: 0.2}\n")}};
-  for (const char* name : {"balls", "helicopter", "window", "shaft-one-lane", "building"})
-    all.push_back({name, avo_io::load_space_scenario(std::string(AVO_TEST_DATA) +
-                                                     "/../../examples/space/" + name + ".yaml")
-                             .value()});
-  return all;
-}
 
 std::array<std::uint64_t, 3> bits_of(Vec3 v) {
   return {std::bit_cast<std::uint64_t>(v.x), std::bit_cast<std::uint64_t>(v.y),
@@ -126,6 +87,30 @@ void expect_binding(const Explanation& why) {
   }
 }
 
+// What binds has the same half-space where nothing else is sensed.
+void expect_sources(const Explanation& why, const Planner& planner) {
+  const auto& seen = why.seen;
+  const auto one_of = [](const auto& all, int k) {
+    return std::span(all).subspan(static_cast<std::size_t>(std::max(k, 0)), k >= 0 ? 1 : 0);
+  };
+  avo::space::PlanWorkspace workspace;
+  for (const Cause cause : why.decision.binding) {
+    avo::space::Detour detour = seen.detour;
+    const DecisionTrace alone =
+        planner.explain(seen.robot, one_of(seen.neighbors, cause.neighbor), workspace, &detour,
+                        one_of(seen.boxes, cause.box), one_of(seen.movers, cause.mover));
+    const auto& all = why.decision.half_spaces;
+    const auto own =
+        std::find_if(all.begin(), all.end(), [&](const auto& plane) { return plane.of == cause; });
+    ASSERT_NE(own, all.end()) << why.sentence;
+    EXPECT_TRUE(std::any_of(alone.half_spaces.begin(), alone.half_spaces.end(),
+                            [&](const auto& plane) {
+                              return plane.normal == own->normal && plane.offset == own->offset;
+                            }))
+        << why.sentence;
+  }
+}
+
 void expect_stages(const Explanation& why, const Planner& planner, Counts& counts) {
   const DecisionTrace& decision = why.decision;
   const PlanStatus status = decision.plan.status;
@@ -148,6 +133,7 @@ void expect_stages(const Explanation& why, const Planner& planner, Counts& count
       decision.rule == avo::WishRule::keeps_right || decision.rule == avo::WishRule::yields;
   EXPECT_TRUE(!heeds || decision.heeded >= 0) << why.sentence;
   expect_binding(why);
+  if (why.robot.value % 4 == 0) expect_sources(why, planner);
   if (status == PlanStatus::overlapping) return;
   const bool as_proposed = norm(decision.plan.next_velocity - decision.proposal) <= kTolerance;
   EXPECT_TRUE(as_proposed || status != PlanStatus::optimal) << why.sentence;
@@ -204,6 +190,18 @@ TEST(ExplanationsInSpace, end_in_what_the_robot_does_and_each_stage_follows) {
   EXPECT_GT(counts.ages, 100);
 }
 
+TEST(ExplanationsInSpace, of_numbers_that_are_none_end_in_braking) {
+  const Planner planner{avo::PlannerOptions{.method = avo::Method::avo}};
+  avo::space::PlanWorkspace workspace;
+  const avo::space::Robot robot{.velocity = {1.0, 0.0, 0.5}, .preferred_velocity = {2.0, 0.0, 0.0}};
+  const avo::space::Neighbor nowhere{.position = {std::nan(""), 0.0, 0.0}};
+  const DecisionTrace trace = planner.explain(robot, {&nowhere, 1}, workspace);
+  EXPECT_EQ(trace.plan.status, PlanStatus::invalid_input);
+  EXPECT_EQ(trace.wish, robot.preferred_velocity);
+  EXPECT_EQ(trace.proposal, trace.plan.next_velocity);
+  EXPECT_LT(norm(trace.plan.next_velocity), norm(robot.velocity));
+}
+
 bool has_name(const std::string& sentence) {
   const char* const names[] = {"robot ", "robots ", "obstacle ", "obstacles ", "goal"};
   return std::any_of(std::begin(names), std::end(names), [&](const char* name) {
@@ -241,10 +239,7 @@ TEST(ExplanationsInSpace, of_robots_that_stand_have_a_reason_and_a_name) {
 }
 
 TEST(ExplanationsInSpace, name_the_passage_and_the_robot_that_a_robot_waits_for) {
-  Simulation simulation(avo_io::load_space_scenario(std::string(AVO_TEST_DATA) +
-                                                    "/../../examples/space/shaft-one-lane.yaml")
-                            .value(),
-                        1);
+  Simulation simulation(example("shaft-one-lane"), 1);
   int waits = 0, inside = 0;
   for (int step = 0; step < 300; ++step) {
     simulation.step();

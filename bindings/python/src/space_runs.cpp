@@ -73,6 +73,16 @@ py::object explain(const py::object& scene, std::int64_t robot, double time, int
   return from_json(json);
 }
 
+py::object explain_now(SharedSpaceSimulation& self, std::int64_t robot) {
+  return from_json(self.alone([&](const Simulation& simulation) {
+    if (robot < 0 || robot >= static_cast<std::int64_t>(simulation.size()))
+      throw avo::Error(
+          fmt::format("robot: found {}, must be 0 to {}", robot, simulation.size() - 1));
+    return avo_io::to_json(simulation.explain({static_cast<std::uint64_t>(robot)}),
+                           simulation.scenario().name);
+  }));
+}
+
 bool is_in_space(const py::object& source) {
   if (py::isinstance<py::dict>(source)) {
     const auto keys = source.cast<py::dict>();
@@ -112,6 +122,11 @@ void bind_runs(py::module_& space) {
   space.def("explain", &explain, arg("scene"), arg("robot"), arg("time") = 0.0, arg("threads") = 0,
             "Why the robot of that number chooses its velocity, in the last step by `time`, s: a "
             "dict, as `avo explain --json`.");
+  const py::object simulation = space.attr("Simulation");
+  simulation.attr("explain") = py::cpp_function(
+      &explain_now, py::name("explain"), py::is_method(simulation), arg("robot"),
+      "Why the robot of that id chooses its velocity in the next step: a dict, as `avo explain "
+      "--json`.");
   space.def("check", &check, arg("recording"), arg("scene") = py::none(), py::kw_only(),
             arg("tolerance") = 1e-9, arg("require_arrival") = false,
             "Judges a recording: a dict, as `avo check --json`. HDF5 contains its scene.");

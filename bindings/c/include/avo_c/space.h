@@ -261,6 +261,12 @@ AVO_C_API avo_result avo_space_simulation_get_states(avo_space_simulation_id sim
 /// The last decision of a robot. robot, here and below: its position in the definition's `robots`.
 AVO_C_API avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, size_t robot,
                                                    avo_space_plan* plan);
+/// The decision that the robot makes in the next step in words, with the reason and the names of
+/// those that cause it: one or two sentences in UTF-8, with a 0 at the end. Buffer, capacity and
+/// size are those of avo_simulation_save(). Nothing moves; no other call of this simulation may run
+/// at the same time.
+AVO_C_API avo_result avo_space_simulation_explain(avo_space_simulation_id simulation, size_t robot,
+                                                  char* buffer, size_t capacity, size_t* size);
 /// Whether the robot is within the arrival distance of its goal, with no box between.
 AVO_C_API avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation,
                                                      size_t robot, bool* is_at_goal);
