@@ -115,6 +115,23 @@ avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation, a
   });
 }
 
+avo_result avo_space_simulation_all_at_goal(avo_space_simulation_id simulation, bool* all_at_goal) {
+  return guarded([&] { at(all_at_goal, "all_at_goal") = fleets.at(simulation).all_at_goal(); });
+}
+
+avo_result avo_space_simulation_get_distance_left(avo_space_simulation_id simulation,
+                                                  avo_robot_id robot, double* distance) {
+  return guarded([&] {
+    const avo::space::Simulation& fleet = fleets.at(simulation);
+    at(distance, "distance") = fleet.route(present(fleet, robot)).distance_left;
+  });
+}
+
+avo_result avo_space_simulation_unreachable(avo_space_simulation_id simulation,
+                                            avo_robot_id* buffer, size_t capacity, size_t* count) {
+  return guarded([&] { list(fleets.at(simulation).unreachable(), buffer, capacity, count); });
+}
+
 avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, avo_robot_id robot,
                                          avo_vec3 goal) {
   return guarded([&] {

@@ -83,6 +83,8 @@ static void a_fleet_moves_as_in_cpp(void) {
   REFUSES(avo_space_simulation_set_boxes(fleet, &around, 1), AVO_ERROR_INVALID_VALUE,
           "is in it, or cannot brake before it");
   REQUIRE(avo_space_simulation_set_boxes(fleet, NULL, 0));
+  REQUIRE(avo_space_simulation_all_at_goal(fleet, &is_at_goal));
+  CHECK(!is_at_goal);
   REQUIRE(avo_destroy_space_simulation(fleet));
   CHECK(!avo_space_simulation_is_valid(fleet));
   REFUSES(avo_space_simulation_step(fleet), AVO_ERROR_INVALID_ID, "space simulation: found an id");
@@ -243,6 +245,41 @@ static void moving_obstacles_come_and_go(void) {
   REQUIRE(avo_destroy_space_simulation(fleet));
 }
 
+/* The goal of the second robot is below the floor. */
+static void goals_out_of_reach_are_told(void) {
+  avo_space_robot_def robots[2] = {avo_default_space_robot_def(), avo_default_space_robot_def()};
+  avo_space_simulation_def def = avo_default_space_simulation_def();
+  const avo_space_box floor = floor_at(-1.0);
+  avo_space_simulation_id fleet;
+  avo_robot_id ids[2];
+  bool all_at_goal = true;
+  size_t count = 0;
+  double left = 0.0;
+  robots[0].goal = at(2.0, 0.0, 1.0);
+  robots[1].position = at(0.0, 9.0, 0.0);
+  robots[1].goal = at(0.0, 9.0, -3.5);
+  def.robots = robots;
+  def.robot_count = 2;
+  def.boxes = &floor;
+  def.box_count = 1;
+  REQUIRE(avo_create_space_simulation(&def, &fleet));
+  REQUIRE(avo_space_simulation_unreachable(fleet, NULL, 0, &count));
+  CHECK(count == 1);
+  REQUIRE(avo_space_simulation_unreachable(fleet, ids, 2, &count));
+  CHECK(ids[0].value == 2);
+  REQUIRE(avo_space_simulation_get_distance_left(fleet, ids[0], &left));
+  CHECK(fabs(left - 3.0) < 0.1);
+  REQUIRE(avo_space_simulation_get_distance_left(fleet, robot(1), &left));
+  CHECK(left == 0.0);
+  REFUSES(avo_space_simulation_get_distance_left(fleet, robot(3), &left), AVO_ERROR_INVALID_ID,
+          "robot: found 3, must be the id of one that is there");
+  REQUIRE(avo_space_simulation_set_boxes(fleet, NULL, 0));
+  for (int k = 0; k < 100; ++k) REQUIRE(avo_space_simulation_step(fleet));
+  REQUIRE(avo_space_simulation_all_at_goal(fleet, &all_at_goal));
+  CHECK(all_at_goal);
+  REQUIRE(avo_destroy_space_simulation(fleet));
+}
+
 static void scene_files_are_read(void) {
   const char* const overrides[] = {"robots.0.radius=0.25"};
   avo_space_simulation_id fleet;
@@ -266,6 +303,7 @@ int main(void) {
   one_robot_evades_what_moves();
   set_points_are_one_delay_late();
   moving_obstacles_come_and_go();
+  goals_out_of_reach_are_told();
   scene_files_are_read();
   return 0;
 }

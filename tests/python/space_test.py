@@ -196,6 +196,21 @@ def test_moving_obstacles_come_change_and_go():
         simulation.add_moving_obstacle(avo.space.MovingObstacle(position=simulation.position()[0]))
 
 
+def test_goals_out_of_reach_are_told():
+    scene = avo.space.Scenario({"version": 1, "space": 3, "obstacles": [{"floor": -1}], "robots": [
+        {"position": [0, 0, 0], "goal": [2, 0, 1]}, {"position": [0, 9, 0], "goal": [0, 9, -3.5]}]})
+    one, = scene.out_of_reach()
+    assert one["robot"] == 1 and one["is_in_box"] and one["distance_left"] == pytest.approx(3.0, abs=0.1)
+    assert np.linalg.norm(np.subtract(one["nearest"], (0, 9, -3.5))) == pytest.approx(one["distance_left"])
+    simulation = avo.space.Simulation(scene)
+    assert simulation.unreachable() == [1] and simulation.distance_left(0) == 0.0
+    assert simulation.distance_left(1) == pytest.approx(one["distance_left"], abs=1e-6)
+    with pytest.raises(avo.Error, match="robot: found 2, must be 0 to 1"):
+        simulation.distance_left(2)
+    simulation.set_boxes([])
+    assert simulation.unreachable() == []
+
+
 def test_bad_numbers_are_a_status_and_other_points_are_refused():
     planner = avo.space.Planner()
     assert planner.plan(avo.space.Robot(position=(0, 0, float("nan")))).status == "invalid_input"

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "arrays.h"
+#include "avo/space/reachability.h"
 #include "avo_io/space.h"
 #include "fields.h"
 #include "space.h"
@@ -18,6 +19,19 @@ using py::arg;
 
 Scenario parse(const std::string& text, const std::string& file, const py::object& overrides) {
   return avo_io::parse_space_scenario(text, file, overrides_of(overrides));
+}
+
+py::list out_of_reach_of(const Scenario& scenario) {
+  py::list list;
+  for (const avo::space::OutOfReach& one : avo::space::out_of_reach(scenario)) {
+    py::dict entry;
+    entry["robot"] = one.robot;
+    entry["nearest"] = one.nearest;
+    entry["distance_left"] = one.distance_left;
+    entry["is_in_box"] = one.is_in_box;
+    list.append(entry);
+  }
+  return list;
 }
 
 void bind_scenario(py::module_& space) {
@@ -36,6 +50,10 @@ void bind_scenario(py::module_& space) {
                              "m, between centers; what the robots need where the scene names none")
       .def_property_readonly("fleet_delay", &avo::space::fleet_delay,
                              "s: how long after their references all quadrotors fly")
+      .def("out_of_reach", &out_of_reach_of,
+           "A dict of each robot that boxes keep from its goal: its \"robot\" number, the "
+           "\"nearest\" place that it gets to, m, the \"distance_left\" from there to the goal, m, "
+           "and whether the goal \"is_in_box\", nearer to a box than the radius.")
       .def_readonly("robots", &Scenario::robots, "list of RobotSetup, a copy")
       .def_readonly("moving_obstacles", &Scenario::moving_obstacles,
                     "list of MovingObstacle, a copy")
@@ -124,6 +142,22 @@ void bind_state(SpaceSimulationClass& simulation) {
           "(n,) bool: whether it is within arrival_distance of its goal.")
       .def("all_at_goal", told([](const Simulation& s) { return s.all_at_goal(); }),
            "Whether all robots are at their goals.")
+      .def("unreachable", told([](const Simulation& s) {
+             std::vector<std::uint64_t> ids;
+             for (const avo::RobotId id : s.unreachable()) ids.push_back(id.value);
+             return ids;
+           }),
+           "Ids of robots that boxes keep from their goals: they go as near as they can, and are "
+           "distance_left() from there.")
+      .def(
+          "distance_left",
+          [](SharedSpaceSimulation& self, std::int64_t robot) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.route(checked(s, robot)).distance_left; });
+          },
+          arg("robot"),
+          "m, from the nearest place that the robot can reach to its goal; 0 where no box keeps it "
+          "from its goal.")
       .def("state_hash", told([](const Simulation& s) { return s.state_hash(); }),
            "Equal for equal states, bit by bit.");
 }

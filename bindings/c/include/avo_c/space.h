@@ -290,6 +290,17 @@ AVO_C_API avo_result avo_space_simulation_get_plan(avo_space_simulation_id simul
 /// Whether the robot is within the arrival distance of its goal, with no box between.
 AVO_C_API avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation,
                                                      avo_robot_id robot, bool* is_at_goal);
+AVO_C_API avo_result avo_space_simulation_all_at_goal(avo_space_simulation_id simulation,
+                                                      bool* all_at_goal);
+/// m: from the nearest place that the robot can reach, where its route ends, to its goal. 0 where
+/// no box keeps it from its goal.
+AVO_C_API avo_result avo_space_simulation_get_distance_left(avo_space_simulation_id simulation,
+                                                            avo_robot_id robot, double* distance);
+/// Robots that boxes keep from their goals, by ascending id: they go as near as they can. buffer
+/// and count are those of avo_simulation_unreachable().
+AVO_C_API avo_result avo_space_simulation_unreachable(avo_space_simulation_id simulation,
+                                                      avo_robot_id* buffer, size_t capacity,
+                                                      size_t* count);
 AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation,
                                                    avo_robot_id robot, avo_vec3 goal);
 /// A helicopter, a ball or a player comes. It is refused if some robot cannot brake before it.
