@@ -277,6 +277,43 @@ def test_worlds_for_learning_keep_drones_apart_whatever_the_actions_are(scene):
     assert len(seen) == 20
 
 
+def test_worlds_for_learning_have_moving_obstacles(tmp_path):
+    path = tmp_path / "balls.yaml"
+    path.write_text("""version: 1
+space: 3
+duration: 8
+sensing_radius: 40
+robots:
+  - {position: [0, 0, 0], goal: [0, 0, 50]}
+  - {position: [0, 9, 0], goal: [0, 9, 50]}
+moving_obstacles:
+  - {position: [12, 0, 0], velocity: [-4, 0, 0]}
+  - {trajectory: [[0, 6, 9, 30], [4, 6, 9, -30]], radius: 1}
+""")
+    env = avo.env.VectorEnv(path, 2, neighbors=3, max_steps=80)
+    seen, _ = env.reset(seed=4)
+    assert seen.shape == (2, 2, 8 + 8 * 3)
+    nearest = seen[1, 0, 8:].reshape(3, 8)
+    assert nearest[:, 7].tolist() == [1, -1, -1]
+    assert np.allclose(nearest[1], [12, 0, 0, -4, 0, 0, 1.0, -1])
+    assert np.allclose(nearest[2], [6, 9, 30, 0, 0, -15, 1.5, -1])
+    simulation, nearest = avo.space.Simulation(path), []
+    for _ in range(60):
+        seen, *_ = env.step(np.zeros((2, 2, 3)))
+        simulation.step()
+        movers, position = simulation.moving_obstacle_position(), env.position()
+        for e in range(2):
+            away = np.linalg.norm(movers[:, None] - position[e], axis=2)
+            assert away[0].min() >= 1.0
+        rows = seen[0, 1, 8:].reshape(3, 8)
+        found = rows[rows[:, 7] == -1][:, :3]
+        for place in found:
+            assert np.abs(place - (movers - position[0, 1])).max(axis=1).min() < 1e-5
+    assert np.linalg.norm(env.position()[0, 0]) > 0.5, "it has evaded"
+    env.reset(seed=4)
+    assert np.allclose(env.reset(seed=5)[0][0, 0, 16:19], [12, 0, 0])
+
+
 def members(tree):
     found, name = {"": set()}, ""
     for line in tree.splitlines():
