@@ -190,6 +190,44 @@ def test_decisions_beside_moving_obstacles_are_explained():
     assert told[0]["neighbors"][0]["neighbor"] == "moving_obstacles.0"
 
 
+def test_moving_obstacles_come_change_and_go():
+    simulation = avo.space.Simulation({"version": 1, "space": 3, "robots": [{"position": [0, 0, 0], "goal": [0, 0, 0]}],
+                                       "moving_obstacles": [{"trajectory": [[0, 0, 9, 0], [6, 0, 9, 6]]}]})
+    assert simulation.moving_obstacles()[0].trajectory[1] == (6.0, 0.0, 9.0, 6.0)
+    simulation.step(20)
+    ball = avo.space.MovingObstacle(position=(12, 0, 0), velocity=(-4, 0, 0))
+    assert simulation.add_moving_obstacle(ball) == 1
+    assert np.allclose(simulation.moving_obstacle_position(), [[0, 9, 2], [12, 0, 0]])
+    simulation.step(30)
+    assert np.allclose(simulation.moving_obstacle_position()[1], 0.0)
+    assert np.linalg.norm(simulation.position()[0]) > 1.0, "it has evaded the ball"
+    player = avo.space.MovingObstacle(position=(40, 0, 0), max_deviation=1.0, max_speed=2.0)
+    simulation.change_moving_obstacle(1, player)
+    simulation.remove_moving_obstacle(0)
+    assert simulation.moving_obstacle_ids() == [1] and simulation.moving_obstacles()[0].max_speed == 2.0
+    assert simulation.moving_obstacle_velocity().tolist() == [[0, 0, 0]]
+    for gone in (0, -1):
+        with pytest.raises(avo.Error, match=f"moving obstacle {gone}: found none of that id"):
+            simulation.remove_moving_obstacle(gone)
+    with pytest.raises(avo.Error, match="moving obstacle 2 and robot 0: braking now leaves"):
+        simulation.add_moving_obstacle(avo.space.MovingObstacle(position=simulation.position()[0]))
+
+
+def test_goals_out_of_reach_are_told():
+    scene = avo.space.Scenario({"version": 1, "space": 3, "obstacles": [{"floor": -1}], "robots": [
+        {"position": [0, 0, 0], "goal": [2, 0, 1]}, {"position": [0, 9, 0], "goal": [0, 9, -3.5]}]})
+    one, = scene.out_of_reach()
+    assert one["robot"] == 1 and one["is_in_box"] and one["distance_left"] == pytest.approx(3.0, abs=0.1)
+    assert np.linalg.norm(np.subtract(one["nearest"], (0, 9, -3.5))) == pytest.approx(one["distance_left"])
+    simulation = avo.space.Simulation(scene)
+    assert simulation.unreachable() == [1] and simulation.distance_left(0) == 0.0
+    assert simulation.distance_left(1) == pytest.approx(one["distance_left"], abs=1e-6)
+    with pytest.raises(avo.Error, match="robot: found 2, must be 0 to 1"):
+        simulation.distance_left(2)
+    simulation.set_boxes([])
+    assert simulation.unreachable() == []
+
+
 def test_bad_numbers_are_a_status_and_other_points_are_refused():
     planner = avo.space.Planner()
     assert planner.plan(avo.space.Robot(position=(0, 0, float("nan")))).status == "invalid_input"
@@ -254,6 +292,43 @@ def test_worlds_for_learning_keep_drones_apart_whatever_the_actions_are(scene):
     assert seen["robot_0"].shape == (8 + 8 * 8,)
     seen, *_ = one.step({agent: np.zeros(3) for agent in one.agents})
     assert len(seen) == 20
+
+
+def test_worlds_for_learning_have_moving_obstacles(tmp_path):
+    path = tmp_path / "balls.yaml"
+    path.write_text("""version: 1
+space: 3
+duration: 8
+sensing_radius: 40
+robots:
+  - {position: [0, 0, 0], goal: [0, 0, 50]}
+  - {position: [0, 9, 0], goal: [0, 9, 50]}
+moving_obstacles:
+  - {position: [12, 0, 0], velocity: [-4, 0, 0]}
+  - {trajectory: [[0, 6, 9, 30], [4, 6, 9, -30]], radius: 1}
+""")
+    env = avo.env.VectorEnv(path, 2, neighbors=3, max_steps=80)
+    seen, _ = env.reset(seed=4)
+    assert seen.shape == (2, 2, 8 + 8 * 3)
+    nearest = seen[1, 0, 8:].reshape(3, 8)
+    assert nearest[:, 7].tolist() == [1, -1, -1]
+    assert np.allclose(nearest[1], [12, 0, 0, -4, 0, 0, 1.0, -1])
+    assert np.allclose(nearest[2], [6, 9, 30, 0, 0, -15, 1.5, -1])
+    simulation, nearest = avo.space.Simulation(path), []
+    for _ in range(60):
+        seen, *_ = env.step(np.zeros((2, 2, 3)))
+        simulation.step()
+        movers, position = simulation.moving_obstacle_position(), env.position()
+        for e in range(2):
+            away = np.linalg.norm(movers[:, None] - position[e], axis=2)
+            assert away[0].min() >= 1.0
+        rows = seen[0, 1, 8:].reshape(3, 8)
+        found = rows[rows[:, 7] == -1][:, :3]
+        for place in found:
+            assert np.abs(place - (movers - position[0, 1])).max(axis=1).min() < 1e-5
+    assert np.linalg.norm(env.position()[0, 0]) > 0.5, "it has evaded"
+    env.reset(seed=4)
+    assert np.allclose(env.reset(seed=5)[0][0, 0, 16:19], [12, 0, 0])
 
 
 def members(tree):

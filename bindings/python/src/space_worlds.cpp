@@ -22,6 +22,16 @@ struct SpaceWorld {
   std::vector<avo::space::Robot> robots;
   std::vector<Vec3> goals;
   std::vector<avo::space::Box> boxes;
+  std::vector<avo::space::MovingObstacle> obstacles;  // that move
+  std::vector<avo::space::Mover> movers;              // where these are now
+  std::int64_t steps = 0;                             // since it was placed
+
+  /// Sets where the moving obstacles are.
+  void move_obstacles(double time_step) {
+    movers.clear();
+    for (const avo::space::MovingObstacle& obstacle : obstacles)
+      movers.push_back(mover_at(obstacle, static_cast<double>(steps) * time_step));
+  }
 };
 
 /// E worlds of N robots each, with the settings of one scene.
@@ -42,7 +52,7 @@ class SpaceWorlds {
       if (moving[e] != 0) step(all_[e], preferred.subspan(e * robots_, robots_));
   }
   /// Finds the robots that robot i of the world senses: squared distances, m^2, and numbers,
-  /// nearest first.
+  /// nearest first. Those of moving obstacles come behind the numbers of robots.
   void find_near(const SpaceWorld& world, std::size_t i,
                  std::vector<std::pair<double, std::size_t>>& near) const;
 
@@ -65,6 +75,7 @@ class SpaceWorlds {
   std::vector<Vec3> next_;
   std::vector<std::pair<double, std::size_t>> near_;
   std::vector<avo::space::Neighbor> neighbors_;
+  std::vector<avo::space::Mover> movers_;
 };
 
 void SpaceWorlds::place(std::size_t world, const avo::space::Scenario& scenario) {
@@ -78,23 +89,28 @@ void SpaceWorlds::place(std::size_t world, const avo::space::Scenario& scenario)
         fmt::format("{}: found {}, must be {} in worlds for learning", name, found, allowed));
   };
   if (!scenario.sensing.is_exact()) refuse("sensing", "errors", "exact");
-  if (!scenario.moving_obstacles.empty()) refuse("moving_obstacles", "some", "none");
   SpaceWorld placed;
   for (const avo::space::RobotSetup& setup : scenario.robots) {
     placed.robots.push_back(avo::space::robot_of(setup));
     placed.goals.push_back(setup.goal);
   }
   placed.boxes = scenario.boxes;
+  placed.obstacles = scenario.moving_obstacles;
+  placed.move_obstacles(planner_.options().time_step);
   all_[world] = std::move(placed);
 }
 
 void SpaceWorlds::find_near(const SpaceWorld& world, std::size_t i,
                             std::vector<std::pair<double, std::size_t>>& near) const {
   near.clear();
-  for (std::size_t j = 0; j < robots_; ++j) {
-    const double squared = norm_squared(world.robots[j].position - world.robots[i].position);
-    if (j != i && squared <= sensing_radius_ * sensing_radius_) near.emplace_back(squared, j);
-  }
+  const auto look_at = [&](Vec3 place, std::size_t number) {
+    const double squared = norm_squared(place - world.robots[i].position);
+    if (squared <= sensing_radius_ * sensing_radius_) near.emplace_back(squared, number);
+  };
+  for (std::size_t j = 0; j < robots_; ++j)
+    if (j != i) look_at(world.robots[j].position, j);
+  for (std::size_t m = 0; m < world.movers.size(); ++m)
+    look_at(world.movers[m].position, robots_ + m);
   std::sort(near.begin(), near.end());
 }
 
@@ -106,15 +122,23 @@ void SpaceWorlds::step(SpaceWorld& world, std::span<const Vec3> preferred) {
     self.preferred_velocity = preferred[i];
     find_near(world, i, near_);
     neighbors_.clear();
-    for (const auto& [squared, j] : near_) neighbors_.push_back(neighbor_of(world.robots[j]));
+    movers_.clear();
+    for (const auto& [squared, j] : near_) {
+      if (j < robots_)
+        neighbors_.push_back(neighbor_of(world.robots[j]));
+      else
+        movers_.push_back(world.movers[j - robots_]);
+    }
     next_.push_back(
-        planner_.plan(self, neighbors_, workspace_, nullptr, world.boxes).next_velocity);
+        planner_.plan(self, neighbors_, workspace_, nullptr, world.boxes, movers_).next_velocity);
   }
   for (std::size_t i = 0; i < robots_; ++i) {
     avo::space::Robot& robot = world.robots[i];
     robot.position = robot.position + lag * robot.velocity + (h - lag) * next_[i];
     robot.velocity = next_[i];
   }
+  ++world.steps;
+  world.move_obstacles(h);
 }
 
 void put(float* row, Vec3 v) {
@@ -129,11 +153,18 @@ py::array_t<float> nearest(const SpaceWorlds& self, std::size_t k) {
         self.find_near(world, i, near);
       },
       [](const SpaceWorld& world, std::size_t i, std::size_t number, float* row) {
-        const avo::space::Robot &own = world.robots[i], &other = world.robots[number];
-        put(row, other.position - own.position);
-        put(row + 3, other.velocity - own.velocity);
-        row[6] = static_cast<float>(own.radius + other.radius);
-        row[7] = 1.0F;
+        const avo::space::Robot& own = world.robots[i];
+        const auto put_body = [&](const auto& other, float kind) {
+          put(row, other.position - own.position);
+          put(row + 3, other.velocity - own.velocity);
+          row[6] = static_cast<float>(own.radius + other.radius);
+          row[7] = kind;
+        };
+        const std::size_t robots = world.robots.size();
+        if (number < robots)
+          put_body(world.robots[number], 1.0F);
+        else
+          put_body(world.movers[number - robots], -1.0F);
       });
 }
 
@@ -204,13 +235,13 @@ void bind_worlds(py::module_& space) {
             self.place(world, scenario);
           },
           arg("world"), arg("scenario"),
-          "Puts the robots, goals and boxes of the scenario into that world.")
+          "Puts the robots, goals, boxes and moving obstacles of the scenario into that world.")
       .def("step", &step_worlds, arg("preferred"), arg("moving"),
            "preferred: (E, N, 3), m/s; moving: (E,) bool, the worlds that take part.")
       .def("nearest", &nearest, arg("k"),
-           "(E, N, k, 8) float32: relative position, m, and velocity, m/s, sum of radii, m, and 1 "
-           "of the k nearest robots within the sensing radius, nearest first; 0 where there are "
-           "fewer.")
+           "(E, N, k, 8) float32: relative position, m, and velocity, m/s, sum of radii, m, and 1, "
+           "or -1 of a moving obstacle, of the k nearest ones within the sensing radius, nearest "
+           "first; 0 where there are fewer.")
       .def("nearest_walls", &nearest_boxes, arg("k"),
            "(E, N, k, 4) float32: the vector to the nearest point, m, and 1 of the k nearest boxes "
            "within the sensing radius, nearest first; 0 where there are fewer.")
