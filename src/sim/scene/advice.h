@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "avo/scenario.h"
+#include "sim/scene/scene_checks.h"
 
 namespace avo::inline sim {
 
-std::string in_short(double value);
+inline std::string in_short(double value) {
+  return rounded(value, 6);
+}
 std::string robot_name(std::size_t index);
 /// Returns whether broken_assumptions() tells what is wrong with the robot.
 bool keeps_certificate(const Scenario& scenario, const RobotSetup& robot);

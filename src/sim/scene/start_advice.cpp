@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names the bodies that overlap at the start.
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <utility>
 
@@ -59,12 +58,6 @@ bool may_overlap(const Scenario& scenario, const StartDisc& a, const StartDisc& 
 }
 
 }  // namespace
-
-std::string in_short(double value) {
-  char buffer[32];
-  const auto format = std::chars_format::general;
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format, 6).ptr};
-}
 
 std::string robot_name(std::size_t index) {
   return "robot " + std::to_string(index);
