@@ -38,6 +38,7 @@ void check_footprint(std::size_t i, const RobotSetup& robot);
 /// Refuses what robots with footprints cannot keep apart with.
 void check_footprints(const Scenario& scenario);
 void check_external(const Scenario& scenario);
+void check_obstacles(const Scenario& scenario);
 void check_teams(const Scenario& scenario);
 
 /// The effect of the rest of a step on a state that is seen during the step, for free clocks
