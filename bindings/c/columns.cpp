@@ -10,9 +10,7 @@ namespace avo_c {
 
 avo::RobotId present(const avo::Simulation& simulation, avo_robot_id robot) {
   if (robot.value != 0 && simulation.index_of(from_c(robot))) return from_c(robot);
-  fail(AVO_ERROR_INVALID_ID, "robot: found " +
-                                 (robot.value == 0 ? "a null id" : std::to_string(robot.value)) +
-                                 ", must be the id of one that is there");
+  fail_absent(robot);
 }
 
 namespace {
@@ -61,15 +59,6 @@ avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of&
   return get_by_id(id, robot, value, [&](const avo::Simulation& own, avo::RobotId present) {
     return of(own.robot(present));
   });
-}
-
-// Writes the ids into the buffer, if they fit.
-template <typename Id, typename Ids>
-void list(const Ids& ids, Id* buffer, std::size_t capacity, std::size_t* count) {
-  at(count, "count") = ids.size();
-  if (buffer == nullptr) return;
-  require_room(capacity, ids.size());
-  for (const auto id : ids) *buffer++ = Id{id.value + 1};
 }
 
 }  // namespace

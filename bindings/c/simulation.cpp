@@ -58,15 +58,6 @@ std::vector<avo::RobotId> numbers_of(const Simulation& simulation, const avo_rob
   return numbers;
 }
 
-// The id among those that are there; in C they begin with 1.
-template <typename Id>
-Id among(std::span<const Id> ids, std::uint64_t number) {
-  for (const Id id : ids)
-    if (id.value + 1 == number) return id;
-  fail(AVO_ERROR_INVALID_ID,
-       "obstacle: found " + std::to_string(number) + ", must be the id of one that is there");
-}
-
 avo::ObstacleId number_of(const Simulation& simulation, avo_obstacle_id obstacle) {
   return among(simulation.simulation.obstacles().id, obstacle.value);
 }

@@ -15,6 +15,7 @@
 #include "avo/simulation.h"
 #include "convert.h"
 #include "handles.h"
+#include "ids.h"
 
 namespace avo_c {
 
@@ -33,13 +34,6 @@ struct Simulation {
 };
 
 inline AVO_C_CONSTINIT Handles<avo_simulation_id, Simulation> simulations("simulation");
-
-inline avo::RobotId from_c(avo_robot_id robot) {
-  return {robot.value - 1};
-}
-inline avo_robot_id to_c(avo::RobotId robot) {
-  return {robot.value + 1};
-}
 
 /// The id in C++ of a robot that is present. Throws Failure if the id is null or the robot is gone.
 avo::RobotId present(const avo::Simulation& simulation, avo_robot_id robot);

@@ -7,7 +7,7 @@
 #include "avo/space/planner.h"
 #include "avo/space/scenario.h"
 #include "avo_c/space.h"
-#include "errors.h"
+#include "definitions.h"
 
 namespace avo_c {
 
@@ -42,7 +42,10 @@ inline avo_space_plan to_c(const avo::space::Plan& plan) {
           plan.evading};
 }
 
-/// Settings, robots and boxes; without the threads.
+avo::space::MovingObstacle obstacle_of(const avo_space_moving_obstacle_def& def,
+                                       const Where& where);
+
+/// Settings, robots, moving obstacles and boxes; without the threads.
 avo::space::Scenario scenario_of(const avo_space_simulation_def& def);
 
 }  // namespace avo_c

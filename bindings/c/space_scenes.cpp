@@ -47,6 +47,18 @@ constexpr auto for_each_of_space_robot = [](const auto& visit) {
   visit("max_braking", &Def::max_braking, &Setup::max_braking);
 };
 
+// The members of a definition and of a moving obstacle, except for the trajectory.
+constexpr auto for_each_of_space_moving_obstacle = [](const auto& visit) {
+  using Def = avo_space_moving_obstacle_def;
+  using Obstacle = avo::space::MovingObstacle;
+  visit("position", &Def::position, &Obstacle::position);
+  visit("velocity", &Def::velocity, &Obstacle::velocity);
+  visit("acceleration", &Def::acceleration, &Obstacle::acceleration);
+  visit("radius", &Def::radius, &Obstacle::radius);
+  visit("max_deviation", &Def::max_deviation, &Obstacle::max_deviation);
+  visit("max_speed", &Def::max_speed, &Obstacle::max_speed);
+};
+
 // The members of a definition and of a scene, except for parts.
 constexpr auto for_each_space_setting = [](const auto& visit) {
   using Def = avo_space_simulation_def;
@@ -86,6 +98,16 @@ avo::space::Quadrotor checked(const avo_quadrotor* quadrotor) {
 
 }  // namespace
 
+avo::space::MovingObstacle obstacle_of(const avo_space_moving_obstacle_def& def,
+                                       const Where& where) {
+  avo::space::MovingObstacle obstacle;
+  take_members(def, obstacle, where, for_each_of_space_moving_obstacle);
+  require_array(def.trajectory, def.trajectory_count, (where / "trajectory").c_str());
+  for (std::size_t k = 0; k < def.trajectory_count; ++k)
+    obstacle.trajectory.push_back({def.trajectory[k].time, from_c(def.trajectory[k].position)});
+  return obstacle;
+}
+
 avo::space::Scenario scenario_of(const avo_space_simulation_def& def) {
   avo::space::Scenario scenario;
   take_members(def, scenario, {}, for_each_space_setting);
@@ -93,6 +115,11 @@ avo::space::Scenario scenario_of(const avo_space_simulation_def& def) {
   for_each(def.robots, def.robot_count, "robots", avo_default_space_robot_def(),
            [&](const avo_space_robot_def& robot, const Where& where) {
              scenario.robots.push_back(setup_of(robot, where));
+           });
+  for_each(def.moving_obstacles, def.moving_obstacle_count, "moving_obstacles",
+           avo_default_space_moving_obstacle_def(),
+           [&](const avo_space_moving_obstacle_def& obstacle, const Where& where) {
+             scenario.moving_obstacles.push_back(obstacle_of(obstacle, where));
            });
   read_boxes(def.boxes, def.box_count, scenario.boxes);
   return scenario;
@@ -107,6 +134,13 @@ avo_space_robot_def avo_default_space_robot_def(void) {
   def.size = sizeof def;
   give_members(avo::space::RobotSetup{}, def, for_each_of_space_robot);
   def.quadrotor.min_thrust = def.quadrotor.tracking_error = AVO_UNSET;
+  return def;
+}
+
+avo_space_moving_obstacle_def avo_default_space_moving_obstacle_def(void) {
+  avo_space_moving_obstacle_def def = {};
+  def.size = sizeof def;
+  give_members(avo::space::MovingObstacle{}, def, for_each_of_space_moving_obstacle);
   return def;
 }
 

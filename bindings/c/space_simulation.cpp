@@ -6,12 +6,29 @@
 #include <vector>
 
 #include "convert.h"
+#include "definitions.h"
 #include "scene_files.h"
 #include "space_convert.h"
 #include "space_simulations.h"
 
 namespace avo_c {
 namespace {
+
+avo::space::MovingObstacle read_obstacle(const avo_space_moving_obstacle_def* def) {
+  const Where where{"moving_obstacle"};
+  return obstacle_of(read(def, {"def"}, avo_default_space_moving_obstacle_def()), where);
+}
+
+// Writes the states of robots or moving obstacles into those of the two arrays that are there.
+template <typename Body>
+void write_states(std::span<const Body> bodies, avo_vec3* positions, avo_vec3* velocities,
+                  std::size_t capacity) {
+  require_room(capacity, bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (positions != nullptr) positions[k] = to_c(bodies[k].position);
+    if (velocities != nullptr) velocities[k] = to_c(bodies[k].velocity);
+  }
+}
 
 int checked_threads(std::int32_t threads) {
   if (threads < 0 || threads > 1024)
@@ -68,37 +85,48 @@ avo_result avo_space_simulation_get_robot_count(avo_space_simulation_id simulati
 
 avo_result avo_space_simulation_get_states(avo_space_simulation_id simulation, avo_vec3* positions,
                                            avo_vec3* velocities, size_t capacity) {
-  return guarded([&] {
-    const std::span<const avo::space::Robot> robots = fleets.at(simulation).robots();
-    require_room(capacity, robots.size());
-    for (std::size_t k = 0; k < robots.size(); ++k) {
-      if (positions != nullptr) positions[k] = to_c(robots[k].position);
-      if (velocities != nullptr) velocities[k] = to_c(robots[k].velocity);
-    }
-  });
+  return guarded(
+      [&] { write_states(fleets.at(simulation).robots(), positions, velocities, capacity); });
 }
 
-avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, size_t robot,
+avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, avo_robot_id robot,
                                          avo_space_plan* plan) {
   return guarded([&] {
     const avo::space::Simulation& fleet = fleets.at(simulation);
-    at(plan, "plan") = to_c(fleet.plans()[checked(fleet, robot)]);
+    at(plan, "plan") = to_c(fleet.plans()[present(fleet, robot).value]);
   });
 }
 
-avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation, size_t robot,
+avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation, avo_robot_id robot,
                                            bool* is_at_goal) {
   return guarded([&] {
     const avo::space::Simulation& fleet = fleets.at(simulation);
-    at(is_at_goal, "is_at_goal") = fleet.is_at_goal({checked(fleet, robot)});
+    at(is_at_goal, "is_at_goal") = fleet.is_at_goal(present(fleet, robot));
   });
 }
 
-avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, size_t robot,
+avo_result avo_space_simulation_all_at_goal(avo_space_simulation_id simulation, bool* all_at_goal) {
+  return guarded([&] { at(all_at_goal, "all_at_goal") = fleets.at(simulation).all_at_goal(); });
+}
+
+avo_result avo_space_simulation_get_distance_left(avo_space_simulation_id simulation,
+                                                  avo_robot_id robot, double* distance) {
+  return guarded([&] {
+    const avo::space::Simulation& fleet = fleets.at(simulation);
+    at(distance, "distance") = fleet.route(present(fleet, robot)).distance_left;
+  });
+}
+
+avo_result avo_space_simulation_unreachable(avo_space_simulation_id simulation,
+                                            avo_robot_id* buffer, size_t capacity, size_t* count) {
+  return guarded([&] { list(fleets.at(simulation).unreachable(), buffer, capacity, count); });
+}
+
+avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, avo_robot_id robot,
                                          avo_vec3 goal) {
   return guarded([&] {
     avo::space::Simulation& fleet = fleets.at(simulation);
-    fleet.set_goal({checked(fleet, robot)}, from_c(goal));
+    fleet.set_goal(present(fleet, robot), from_c(goal));
   });
 }
 
@@ -109,6 +137,48 @@ avo_result avo_space_simulation_set_boxes(avo_space_simulation_id simulation,
     read_boxes(boxes, box_count, given);
     fleets.at(simulation).set_boxes(given);
   });
+}
+
+avo_result avo_space_simulation_add_moving_obstacle(avo_space_simulation_id simulation,
+                                                    const avo_space_moving_obstacle_def* def,
+                                                    avo_moving_obstacle_id* obstacle) {
+  return guarded([&] {
+    avo::space::Simulation& fleet = fleets.at(simulation);
+    avo_moving_obstacle_id& id = at(obstacle, "obstacle");
+    id = {fleet.add_moving_obstacle(read_obstacle(def)).value + 1};
+  });
+}
+
+avo_result avo_space_simulation_change_moving_obstacle(avo_space_simulation_id simulation,
+                                                       avo_moving_obstacle_id obstacle,
+                                                       const avo_space_moving_obstacle_def* def) {
+  return guarded([&] {
+    avo::space::Simulation& fleet = fleets.at(simulation);
+    fleet.change_moving_obstacle(among(fleet.moving_obstacle_ids(), obstacle.value),
+                                 read_obstacle(def));
+  });
+}
+
+avo_result avo_space_simulation_remove_moving_obstacle(avo_space_simulation_id simulation,
+                                                       avo_moving_obstacle_id obstacle) {
+  return guarded([&] {
+    avo::space::Simulation& fleet = fleets.at(simulation);
+    fleet.remove_moving_obstacle(among(fleet.moving_obstacle_ids(), obstacle.value));
+  });
+}
+
+avo_result avo_space_simulation_moving_obstacle_ids(avo_space_simulation_id simulation,
+                                                    avo_moving_obstacle_id* buffer, size_t capacity,
+                                                    size_t* count) {
+  return guarded(
+      [&] { list(fleets.at(simulation).moving_obstacle_ids(), buffer, capacity, count); });
+}
+
+avo_result avo_space_simulation_get_moving_obstacles(avo_space_simulation_id simulation,
+                                                     avo_vec3* positions, avo_vec3* velocities,
+                                                     size_t capacity) {
+  return guarded(
+      [&] { write_states(fleets.at(simulation).movers(), positions, velocities, capacity); });
 }
 
 avo_result avo_space_simulation_get_state_hash(avo_space_simulation_id simulation, uint64_t* hash) {

@@ -178,8 +178,9 @@ void Check::State::judge_movers(const std::vector<SpaceStep>& steps,
   for (std::size_t k = 0; k < movers.size(); ++k) {
     const CheckedState& from = movers_before[k];
     const SpaceStep other =
-        step_of(k, movers[k].straight ? judge::straight_path(from.position, now[k].position)
-                                      : path_of(from, now[k], duration));
+        step_of(static_cast<std::size_t>(from.robot),
+                movers[k].straight ? judge::straight_path(from.position, now[k].position)
+                                   : path_of(from, now[k], duration));
     for (const SpaceStep& step : steps) {
       const CheckedRobot& robot = robots[step.robot];
       const double radii = robot.radius + movers[k].radius;
@@ -188,7 +189,7 @@ void Check::State::judge_movers(const std::vector<SpaceStep>& steps,
       for (std::size_t i = 0; i < 4; ++i) relative[i] = step.path[i] - other.path[i];
       const bool has_limit = std::isfinite(robot.max_speed);
       hits.meet({.robot = static_cast<std::int64_t>(step.robot),
-                 .other = static_cast<std::int64_t>(k),
+                 .other = from.robot,
                  .start = start,
                  .duration = duration,
                  .contact = radii * (1.0 - options.relative_tolerance),
@@ -229,9 +230,7 @@ void Check::add(double time, std::span<const CheckedState> rows,
   CheckReport& report = state.report;
   if (state.has_time && !(time >= state.time + 1e-12))
     throw Error("time " + std::to_string(time) + " s: must be later than the one before");
-  if (movers.size() != state.movers.size())
-    throw Error("found " + std::to_string(movers.size()) + " moving obstacles, must be " +
-                std::to_string(state.movers.size()));
+  judge::require_all(state.movers.size(), movers);
   std::int64_t previous = -1;
   for (const CheckedState& row : rows) {
     const bool is_known =
@@ -265,6 +264,13 @@ void Check::add(double time, std::span<const CheckedState> rows,
   state.has_time = true;
   state.before.assign(rows.begin(), rows.end());
   state.movers_before.assign(movers.begin(), movers.end());
+}
+
+void Check::set_movers(std::vector<CheckedMover> movers, std::span<const CheckedState> states) {
+  for (std::size_t k = 0; k < movers.size(); ++k) judge::require_sound(movers[k], k);
+  judge::require_all(movers.size(), states);
+  state_->movers = std::move(movers);
+  state_->movers_before.assign(states.begin(), states.end());
 }
 
 void Check::skip() {

@@ -38,4 +38,10 @@ void require_sound(const space::Box& box, std::size_t number) {
                "radius must be >= 0, and heading finite");
 }
 
+void require_all(std::size_t movers, std::span<const space::CheckedState> states) {
+  if (states.size() != movers)
+    throw Error("found " + std::to_string(states.size()) + " moving obstacles, must be " +
+                std::to_string(movers));
+}
+
 }  // namespace avo::judge

@@ -33,7 +33,9 @@ SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
     trips.push_back({setup.goal, setup.preferred_speed,
                      scene.moving_obstacles.empty() ? range : std::max(range, options.wall_range)});
   }
-  move_obstacles();
+  for (std::size_t m = 0; m < scene.moving_obstacles.size(); ++m) movers.add(0);
+  movers.move_to(steps, scenario.moving_obstacles, scenario.time_step);
+  for (std::size_t m = 0; m < movers.now.size(); ++m) movers.begin(m);
   bodies.reserve(robots.size());
   ways = SpaceWays(scene.boxes, robots, goals(), scene.navigation);
 }
@@ -51,13 +53,6 @@ void SpaceFleet::sort() {
   fill_braking(law, bodies);
 }
 
-void SpaceFleet::move_obstacles() {
-  movers.clear();
-  const double now = static_cast<double>(steps) * scenario.time_step;
-  for (const MovingObstacle& obstacle : scenario.moving_obstacles)
-    movers.push_back(mover_at(obstacle, now));
-}
-
 bool SpaceFleet::is_in_range(Vec3 place, std::size_t k) const {
   return norm_squared(place - robots[k].position) <= sensing_radius * sensing_radius;
 }
@@ -65,15 +60,16 @@ bool SpaceFleet::is_in_range(Vec3 place, std::size_t k) const {
 void SpaceFleet::sense_movers(std::size_t k, SpaceWorker& worker) const {
   worker.movers.clear();
   worker.mover_number.clear();
-  if (movers.empty()) return;
+  if (movers.now.empty()) return;
   const Observer observer(senses, k, scenario.boxes);
-  for (std::size_t m = 0; m < movers.size(); ++m) {
-    if (!is_in_range(movers[m].position, k)) continue;
+  for (std::size_t m = 0; m < movers.now.size(); ++m) {
+    const Mover& mover = movers.now[m];
+    if (!is_in_range(mover.position, k)) continue;
     const std::optional<Mover> seen =
-        senses.are_exact() ? movers[m] : observer.look_at(m, scenario.moving_obstacles[m]);
+        senses.are_exact() ? mover : observer.look_at(m, movers.id[m], mover);
     if (!seen) continue;
     worker.movers.push_back(*seen);
-    worker.mover_number.push_back(static_cast<std::int32_t>(m));
+    worker.mover_number.push_back(static_cast<std::int32_t>(movers.id[m].value));
   }
 }
 
@@ -172,7 +168,7 @@ void SpaceFleet::move() {
 
 void SpaceFleet::begin_step() {
   sort();
-  senses.note(robots, steps);
+  senses.note(robots, movers.now, steps);
   ways.begin_step(robots);
 }
 
@@ -180,8 +176,9 @@ void SpaceFleet::step() {
   begin_step();
   for_all([&](std::size_t at, SpaceWorker& worker) { decide(at, worker); });
   move();
+  for (std::size_t m = 0; m < movers.now.size(); ++m) movers.begin(m);
   ++steps;
-  move_obstacles();
+  movers.move_to(steps, scenario.moving_obstacles, scenario.time_step);
 }
 
 }  // namespace avo::space

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "avo/horizon.h"
-#include "avo/space/mover.h"
 #include "avo/space/planner.h"
 #include "avo/space/scenario.h"
 #include "avo/space/simulation.h"
@@ -18,6 +17,7 @@
 #include "space/cells.h"
 #include "space/decide.h"
 #include "space/goals.h"
+#include "space/mover_columns.h"
 #include "space/routes/ways.h"
 #include "space/senses.h"
 #include "space/workspace.h"
@@ -30,7 +30,7 @@ struct AVO_LOCAL SpaceWorker {
   SpaceCells::Runs runs{};
   std::vector<Box> boxes;
   std::vector<Mover> movers;
-  std::vector<std::int32_t> box_number, mover_number;  // in the scene
+  std::vector<std::int32_t> box_number, mover_number;  // in the scene; the value of its id
   WayScratch ways;
   std::vector<Neighbor> neighbors;
 };
@@ -56,7 +56,7 @@ struct AVO_LOCAL SpaceFleet {
   SpaceCells cells;
   Bodies bodies;  // the robots in the order of the cells
   Senses senses;
-  std::vector<Mover> movers;  // as they are now
+  MoverColumns movers;  // beside scenario.moving_obstacles
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
@@ -77,7 +77,6 @@ struct AVO_LOCAL SpaceFleet {
   void begin_step();
   /// Puts the bodies into the order of the cells.
   void sort();
-  void move_obstacles();
   void move();
   [[nodiscard]] bool is_in_range(Vec3 place, std::size_t k) const;
   /// The moving obstacles that a robot senses.

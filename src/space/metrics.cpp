@@ -55,6 +55,7 @@ struct Metrics::State {
   std::vector<Robot> robots;
   std::vector<RobotId> unreachable;
   std::vector<double> left;  // m, from the end of each robot's route to its goal
+  std::vector<CheckedState> mover_rows;
   double time = 0.0;
 
   explicit State(const Scenario& scene)
@@ -64,7 +65,23 @@ struct Metrics::State {
 
   void begin(const Simulation& simulation, std::size_t k);
   void count(const Plan& plan);
+  void check_movers(const Simulation& simulation);
 };
+
+// The judge is told of all edits, and gets the present rows.
+void Metrics::State::check_movers(const Simulation& simulation) {
+  mover_rows.clear();
+  const std::span<const MovingObstacleId> ids = simulation.moving_obstacle_ids();
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const auto [position, velocity] = simulation.movers_before()[k];
+    mover_rows.push_back({static_cast<std::int64_t>(ids[k].value), position, velocity});
+  }
+  check.set_movers(checked_movers(simulation.scenario()), mover_rows);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    mover_rows[k].position = simulation.movers()[k].position;
+    mover_rows[k].velocity = simulation.movers()[k].velocity;
+  }
+}
 
 void Metrics::State::begin(const Simulation& simulation, std::size_t k) {
   const RobotSetup& setup = scenario.robots[k];
@@ -156,7 +173,8 @@ void Metrics::observe(const Simulation& simulation) {
       ++state.arrived;
     }
   }
-  state.check.add(simulation.time(), rows, mover_states(state.scenario, simulation.time()));
+  state.check_movers(simulation);
+  state.check.add(simulation.time(), rows, state.mover_rows);
   state.robots.assign(simulation.robots().begin(), simulation.robots().end());
   state.last.assign(simulation.plans().begin(), simulation.plans().end());
   state.summary.steps = simulation.steps();

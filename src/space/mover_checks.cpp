@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 
 #include "avo/error.h"
 #include "fields/space_fields.h"
@@ -11,10 +10,6 @@
 
 namespace avo::space {
 namespace {
-
-std::string key_of(std::size_t k, std::string_view field) {
-  return std::string(Place{"moving_obstacles", k, field});
-}
 
 // m/s: of its legs.
 double fastest_leg(const MovingObstacle& obstacle) {
@@ -26,8 +21,8 @@ double fastest_leg(const MovingObstacle& obstacle) {
   return fastest;
 }
 
-void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
-  const std::string key = key_of(k, "trajectory");
+void check_trajectory(const MovingObstacle& obstacle, const std::string& place_of) {
+  const std::string key = place_of + "trajectory";
   for (std::size_t i = 0; i < obstacle.trajectory.size(); ++i) {
     const TimedPoint& place = obstacle.trajectory[i];
     require(key, place.time, kAnyValue, "s");
@@ -37,33 +32,33 @@ void check_trajectory(std::size_t k, const MovingObstacle& obstacle) {
              "ascending times");
   }
   if (!(obstacle.acceleration == Vec3{}))
-    refuse(key_of(k, "acceleration"), "one", "[0, 0, 0] beside a trajectory");
+    refuse(place_of + "acceleration", "one", "[0, 0, 0] beside a trajectory");
   const double speed = fastest_leg(obstacle);
   if (obstacle.max_speed && speed > *obstacle.max_speed * (1.0 + 1e-9))
-    refuse(key_of(k, "max_speed"), text(*obstacle.max_speed),
+    refuse(place_of + "max_speed", text(*obstacle.max_speed),
            ">= " + text(speed) + " m/s, what its trajectory has");
-}
-
-void check_obstacle(std::size_t k, const MovingObstacle& obstacle) {
-  require_ranges(obstacle, PlaceOf{"moving_obstacles", k});
-  if (!obstacle.trajectory.empty()) check_trajectory(k, obstacle);
-  if (!obstacle.max_speed) return;
-  if (!(obstacle.max_deviation > 0.0))
-    refuse(key_of(k, "max_speed"), text(*obstacle.max_speed),
-           "left out without max_deviation: it keeps its acceleration");
-  if (!(obstacle.acceleration == Vec3{}))
-    refuse(key_of(k, "acceleration"), "one", "[0, 0, 0] with max_speed, which it would exceed");
-  if (norm(obstacle.velocity) > *obstacle.max_speed)
-    refuse(key_of(k, "velocity"), text(norm(obstacle.velocity)) + " m/s",
-           "<= max_speed = " + text(*obstacle.max_speed) + " m/s");
 }
 
 }  // namespace
 
+void check_moving_obstacle(const MovingObstacle& obstacle, const std::string& key) {
+  require_ranges(obstacle, Behind{key});
+  if (!obstacle.trajectory.empty()) check_trajectory(obstacle, key);
+  if (!obstacle.max_speed) return;
+  if (!(obstacle.max_deviation > 0.0))
+    refuse(key + "max_speed", text(*obstacle.max_speed),
+           "left out without max_deviation: it keeps its acceleration");
+  if (!(obstacle.acceleration == Vec3{}))
+    refuse(key + "acceleration", "one", "[0, 0, 0] with max_speed, which it would exceed");
+  if (norm(obstacle.velocity) > *obstacle.max_speed)
+    refuse(key + "velocity", text(norm(obstacle.velocity)) + " m/s",
+           "<= max_speed = " + text(*obstacle.max_speed) + " m/s");
+}
+
 void check_moving_obstacles(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
     const MovingObstacle& obstacle = scenario.moving_obstacles[k];
-    check_obstacle(k, obstacle);
+    check_moving_obstacle(obstacle, "moving_obstacles." + std::to_string(k) + ".");
     const Vec3 start = state_at(obstacle, 0.0).position;
     for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
       const Robot robot = robot_of(scenario.robots[i]);

@@ -207,6 +207,10 @@ double sensing_radius_of(const Scenario& scenario) {
   return needed_radius(scenario, planner_options(scenario));
 }
 
+double mover_range(const Scenario& scenario) {
+  return mover_range(scenario, largest_of(scenario), planner_options(scenario));
+}
+
 void check_boxes(std::span<const Box> boxes) {
   for (std::size_t k = 0; k < boxes.size(); ++k) check_box(boxes[k], "boxes." + std::to_string(k));
 }

@@ -46,18 +46,31 @@ Senses senses_of(const Scenario& scenario) {
                 .seed = scenario.seed,
                 .time_step = scenario.time_step,
                 .radius = sensing_radius_of(scenario)};
-  if (model.is_exact()) return senses;
-  senses.depth = 1 + static_cast<std::size_t>(model.delay) + (model.misses() ? kMostCarried : 0);
-  senses.past.resize(senses.depth * scenario.robots.size());
+  if (!model.is_exact())
+    senses.robots.depth = senses.movers.depth =
+        1 + static_cast<std::size_t>(model.delay) + (model.misses() ? kMostCarried : 0);
+  for (std::size_t k = 0; k < scenario.robots.size(); ++k) senses.robots.add(0);
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) senses.movers.add(0);
   return senses;
 }
 
-void Senses::note(std::span<const Robot> robots, std::int64_t now) {
-  step = now;
+void PastStates::add(std::int64_t step) {
+  states.resize(states.size() + depth);
+  since.push_back(step);
+}
+
+void PastStates::remove(std::size_t k) {
+  const auto first = states.begin() + static_cast<std::ptrdiff_t>(k * depth);
+  states.erase(first, first + static_cast<std::ptrdiff_t>(depth));
+  since.erase(since.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+void Senses::note(std::span<const Robot> now, std::span<const Mover> movers_now,
+                  std::int64_t present) {
+  step = present;
   if (are_exact()) return;
-  const std::size_t place = static_cast<std::size_t>(now) % depth;
-  for (std::size_t k = 0; k < robots.size(); ++k)
-    past[k * depth + place] = {robots[k].position, robots[k].velocity};
+  robots.note(now, present);
+  movers.note(movers_now, present);
 }
 
 Observer::Observer(const Senses& senses, std::size_t robot, std::span<const Box> boxes)
@@ -72,22 +85,28 @@ Draws Observer::draws(std::int64_t moment, std::uint64_t other) const {
 }
 
 // At first no measurement fails: the start is known to all.
-bool Observer::succeeds(Vec3 from, Vec3 to, std::int64_t moment, std::uint64_t other) const {
+bool Observer::succeeds(Vec3 from, Vec3 to, std::int64_t moment, std::int64_t first,
+                        std::uint64_t other) const {
   const SensingModel& model = senses_.model;
   if (!(norm_squared(to - from) <= senses_.radius * senses_.radius)) return false;
-  if (model.dropped > 0.0 && moment > 0 && draws(moment, other).uniform() < model.dropped)
+  if (model.dropped > 0.0 && moment > first && draws(moment, other).uniform() < model.dropped)
     return false;
   return !model.occlusion || is_in_sight(from, to, boxes_);
 }
 
-template <typename Place>
-std::optional<std::int64_t> Observer::last_measured(std::uint64_t other, const Place& place) const {
-  const std::int64_t oldest =
-      std::max(latest_ - (senses_.model.misses() ? kMostCarried : 0), std::int64_t{0});
-  for (std::int64_t moment = latest_; moment >= oldest; --moment) {
-    if (succeeds(senses_.at(robot_, moment).position, place(moment), moment, other)) return moment;
+std::optional<std::int64_t> Observer::last_measured(const PastStates& bodies, std::size_t k,
+                                                    std::uint64_t other) const {
+  const std::int64_t first = bodies.since[k], carried = senses_.model.misses() ? kMostCarried : 0;
+  for (std::int64_t moment = std::max(latest_, first); moment >= std::max(latest_ - carried, first);
+       --moment) {
+    const Vec3 from = senses_.robots.at(robot_, moment).position;
+    if (succeeds(from, bodies.at(k, moment).position, moment, first, other)) return moment;
   }
   return std::nullopt;
+}
+
+int Observer::age(std::int64_t moment, std::int64_t since) const {
+  return static_cast<int>(std::max(latest_, since) - moment);
 }
 
 double Observer::seconds_since(std::int64_t moment) const {
@@ -108,32 +127,28 @@ void Observer::disturb(std::int64_t moment, std::uint64_t other, Vec3& position,
 }
 
 std::optional<Neighbor> Observer::look_at(std::size_t other, const Robot& traits) const {
-  const auto moment =
-      last_measured(other, [&](std::int64_t m) { return senses_.at(other, m).position; });
+  const auto moment = last_measured(senses_.robots, other, other);
   if (!moment) return std::nullopt;
-  const PastState& seen = senses_.at(other, *moment);
+  const PastState& seen = senses_.robots.at(other, *moment);
   Neighbor neighbor = neighbor_of(traits);
   neighbor.position = seen.position + seconds_since(*moment) * seen.velocity;
   neighbor.velocity = seen.velocity;
-  neighbor.age = static_cast<int>(latest_ - *moment);
+  neighbor.age = age(*moment, senses_.robots.since[other]);
   disturb(*moment, other, neighbor.position, neighbor.velocity);
   return neighbor;
 }
 
-std::optional<Mover> Observer::look_at(std::size_t m, const MovingObstacle& obstacle) const {
+std::optional<Mover> Observer::look_at(std::size_t m, MovingObstacleId id, const Mover& now) const {
   constexpr std::uint64_t kMoverBit = std::uint64_t{1} << 63;  // no robot has such a number
-  const auto at = [&](std::int64_t step) {
-    return mover_at(obstacle, static_cast<double>(step) * senses_.time_step);
-  };
-  const std::uint64_t number = kMoverBit | m;
-  const auto moment = last_measured(number, [&](std::int64_t step) { return at(step).position; });
+  const std::uint64_t number = kMoverBit | id.value;
+  const auto moment = last_measured(senses_.movers, m, number);
   if (!moment) return std::nullopt;
-  Mover mover = at(*moment);
+  const PastState& seen = senses_.movers.at(m, *moment);
+  Mover mover = now;
   const double time = seconds_since(*moment);
-  const Vec3 velocity = mover.velocity + time * mover.acceleration;
-  mover.position = mover.position + (0.5 * time) * (mover.velocity + velocity);
-  mover.velocity = velocity;
-  mover.age = static_cast<int>(latest_ - *moment);
+  mover.velocity = seen.velocity + time * mover.acceleration;
+  mover.position = seen.position + (0.5 * time) * (seen.velocity + mover.velocity);
+  mover.age = age(*moment, senses_.movers.since[m]);
   disturb(*moment, number, mover.position, mover.velocity);
   return mover;
 }

@@ -8,7 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "avo/ids.h"
 #include "avo/space/box.h"
+#include "avo/space/mover.h"
 #include "avo/space/robot.h"
 #include "avo/space/scenario.h"
 #include "core/draws.h"
@@ -19,24 +21,40 @@ struct PastState {
   Vec3 position, velocity;  // m, m/s
 };
 
+/// The last states of bodies, `depth` steps each.
+struct PastStates {
+  std::size_t depth = 0;
+  std::vector<PastState> states = {};    // by body, that of step g at g % depth
+  std::vector<std::int64_t> since = {};  // by body: the step in which it came
+
+  void add(std::int64_t step);
+  void remove(std::size_t k);
+  [[nodiscard]] const PastState& at(std::size_t k, std::int64_t g) const {
+    return states[k * depth + static_cast<std::size_t>(g) % depth];
+  }
+  template <typename Bodies>
+  void note(const Bodies& bodies, std::int64_t step) {
+    const std::size_t place = static_cast<std::size_t>(step) % depth;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      states[k * depth + place] = {bodies[k].position, bodies[k].velocity};
+  }
+};
+
 /// The states that measurements may use. Measurements are made of these states and of random
 /// numbers that are found by (seed, step, observer, other): neither the order of robots nor the
 /// number of threads matters.
 struct Senses {
   SensingModel model = {};
   std::uint64_t seed = 0;
-  double time_step = 0.0;            // s
-  double radius = 0.0;               // m, the sensing radius
-  std::size_t depth = 0;             // steps remembered, with the present one; 0: senses are exact
-  std::vector<PastState> past = {};  // by robot, `depth` each, that of step g at g % depth
-  std::int64_t step = 0;             // the present one
+  double time_step = 0.0;  // s
+  double radius = 0.0;     // m, the sensing radius
+  PastStates robots = {};  // with the present states; depth 0: senses are exact
+  PastStates movers = {};
+  std::int64_t step = 0;  // the present one
 
-  [[nodiscard]] bool are_exact() const { return depth == 0; }
-  [[nodiscard]] const PastState& at(std::size_t robot, std::int64_t g) const {
-    return past[robot * depth + static_cast<std::size_t>(g) % depth];
-  }
+  [[nodiscard]] bool are_exact() const { return robots.depth == 0; }
   /// Stores the states of the step that begins.
-  void note(std::span<const Robot> robots, std::int64_t now);
+  void note(std::span<const Robot> now, std::span<const Mover> movers_now, std::int64_t present);
 };
 
 Senses senses_of(const Scenario& scenario);
@@ -52,19 +70,24 @@ class Observer {
 
   /// The state of robot `other` as it is sensed; none where it is not.
   [[nodiscard]] std::optional<Neighbor> look_at(std::size_t other, const Robot& traits) const;
-  /// The same for moving obstacle m, which is extrapolated at its acceleration.
-  [[nodiscard]] std::optional<Mover> look_at(std::size_t m, const MovingObstacle& obstacle) const;
+  /// The same for moving obstacle m of that id, which is extrapolated at its acceleration. now: as
+  /// it is.
+  [[nodiscard]] std::optional<Mover> look_at(std::size_t m, MovingObstacleId id,
+                                             const Mover& now) const;
 
  private:
-  /// The step of the last measurement that the robot has; place(step): the place of the other then.
-  template <typename Place>
-  [[nodiscard]] std::optional<std::int64_t> last_measured(std::uint64_t other,
-                                                          const Place& place) const;
+  /// The step of the last measurement that the robot has of body k of these. other: its number in
+  /// draws.
+  [[nodiscard]] std::optional<std::int64_t> last_measured(const PastStates& bodies, std::size_t k,
+                                                          std::uint64_t other) const;
+  /// Whole steps from that measurement to the one that the robot might have.
+  [[nodiscard]] int age(std::int64_t moment, std::int64_t since) const;
   /// Adds the noise of a measurement so many seconds ago, and extrapolates it.
   void disturb(std::int64_t moment, std::uint64_t other, Vec3& position, Vec3& velocity) const;
   [[nodiscard]] double seconds_since(std::int64_t moment) const;
   [[nodiscard]] Draws draws(std::int64_t moment, std::uint64_t other) const;
-  [[nodiscard]] bool succeeds(Vec3 from, Vec3 to, std::int64_t moment, std::uint64_t other) const;
+  [[nodiscard]] bool succeeds(Vec3 from, Vec3 to, std::int64_t moment, std::int64_t first,
+                              std::uint64_t other) const;
 
   const Senses& senses_;
   std::size_t robot_;

@@ -12,6 +12,7 @@
 #include "core/ranges.h"
 #include "space/boxes.h"
 #include "space/fleet.h"
+#include "space/mover_edits.h"
 #include "space/routes/tighten.h"
 #include "space/validity.h"
 #include "space/words.h"
@@ -64,7 +65,13 @@ std::span<const Plan> Simulation::plans() const {
   return state_->plans;
 }
 std::span<const Mover> Simulation::movers() const {
-  return state_->movers;
+  return state_->movers.now;
+}
+std::span<const MovingObstacleId> Simulation::moving_obstacle_ids() const {
+  return state_->movers.id;
+}
+std::span<const MoverState> Simulation::movers_before() const {
+  return state_->movers.before;
 }
 Vec3 Simulation::goal(RobotId robot) const {
   return state_->scenario.robots[state_->find(robot)].goal;
@@ -130,6 +137,16 @@ void Simulation::set_goal(RobotId robot, Vec3 goal) {
   state_->ways.look(k, state_->robots[k], goal, state_->workers.front().ways);
   Detour& detour = state_->detours[k];
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
+}
+
+MovingObstacleId Simulation::add_moving_obstacle(const MovingObstacle& obstacle) {
+  return space::add_moving_obstacle(*state_, obstacle);
+}
+void Simulation::change_moving_obstacle(MovingObstacleId id, const MovingObstacle& obstacle) {
+  space::change_moving_obstacle(*state_, id, obstacle);
+}
+void Simulation::remove_moving_obstacle(MovingObstacleId id) {
+  space::remove_moving_obstacle(*state_, id);
 }
 
 void Simulation::set_boxes(std::span<const Box> given) {

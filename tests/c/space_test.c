@@ -12,6 +12,11 @@ static avo_vec3 at(double x, double y, double z) {
   return v;
 }
 
+static avo_robot_id robot(uint64_t value) {
+  const avo_robot_id id = {value};
+  return id;
+}
+
 static const double kFar = HUGE_VAL;
 
 static avo_space_box floor_at(double z) {
@@ -55,15 +60,15 @@ static void decisions_are_told_as_in_cpp(void) {
   char words[512], expected[512];
   size_t size = 0;
   for (int k = 0; k < 50; ++k) REQUIRE(avo_space_simulation_step(fleet));
-  REQUIRE(avo_space_simulation_explain(fleet, 3, NULL, 0, &size));
+  REQUIRE(avo_space_simulation_explain(fleet, robot(4), NULL, 0, &size));
   CHECK(size > 20 && size <= sizeof words);
-  REFUSES(avo_space_simulation_explain(fleet, 3, words, size - 1, &size),
+  REFUSES(avo_space_simulation_explain(fleet, robot(4), words, size - 1, &size),
           AVO_ERROR_BUFFER_TOO_SMALL, "capacity: found");
-  REQUIRE(avo_space_simulation_explain(fleet, 3, words, sizeof words, &size));
+  REQUIRE(avo_space_simulation_explain(fleet, robot(4), words, sizeof words, &size));
   cpp_space_words(50, 3, expected, sizeof expected);
   CHECK(strlen(words) + 1 == size && strcmp(words, expected) == 0);
-  REFUSES(avo_space_simulation_explain(fleet, 6, NULL, 0, &size), AVO_ERROR_INVALID_ARGUMENT,
-          "robot: found 6");
+  REFUSES(avo_space_simulation_explain(fleet, robot(7), NULL, 0, &size), AVO_ERROR_INVALID_ID,
+          "robot: found 7");
   REQUIRE(avo_destroy_space_simulation(fleet));
 }
 
@@ -81,19 +86,23 @@ static void a_fleet_moves_as_in_cpp(void) {
   CHECK(fabs(time - 5.0) < 1e-9);
   REQUIRE(avo_space_simulation_get_states(fleet, positions, velocities, 6));
   CHECK(positions[0].x > -7.0 && velocities[0].x > 0.5);
-  REQUIRE(avo_space_simulation_get_plan(fleet, 3, &plan));
+  REQUIRE(avo_space_simulation_get_plan(fleet, robot(4), &plan));
   CHECK(plan.status != AVO_PLAN_INVALID_INPUT && plan.state == AVO_SAFETY_SAFE);
-  REQUIRE(avo_space_simulation_set_goal(fleet, 0, positions[0]));
-  REQUIRE(avo_space_simulation_is_at_goal(fleet, 0, &is_at_goal));
+  REQUIRE(avo_space_simulation_set_goal(fleet, robot(1), positions[0]));
+  REQUIRE(avo_space_simulation_is_at_goal(fleet, robot(1), &is_at_goal));
   CHECK(is_at_goal);
   REFUSES(avo_space_simulation_get_states(fleet, positions, NULL, 5), AVO_ERROR_BUFFER_TOO_SMALL,
           "capacity: found 5, must be >= 6");
-  REFUSES(avo_space_simulation_set_goal(fleet, 6, at(0, 0, 0)), AVO_ERROR_INVALID_ARGUMENT,
-          "robot: found 6, must be < 6");
+  REFUSES(avo_space_simulation_set_goal(fleet, robot(7), at(0, 0, 0)), AVO_ERROR_INVALID_ID,
+          "robot: found 7, must be the id of one that is there");
+  REFUSES(avo_space_simulation_set_goal(fleet, robot(0), at(0, 0, 0)), AVO_ERROR_INVALID_ID,
+          "robot: found a null id");
   const avo_space_box around = floor_at(50.0);
   REFUSES(avo_space_simulation_set_boxes(fleet, &around, 1), AVO_ERROR_INVALID_VALUE,
           "is in it, or cannot brake before it");
   REQUIRE(avo_space_simulation_set_boxes(fleet, NULL, 0));
+  REQUIRE(avo_space_simulation_all_at_goal(fleet, &is_at_goal));
+  CHECK(!is_at_goal);
   REQUIRE(avo_destroy_space_simulation(fleet));
   CHECK(!avo_space_simulation_is_valid(fleet));
   REFUSES(avo_space_simulation_step(fleet), AVO_ERROR_INVALID_ID, "space simulation: found an id");
@@ -202,6 +211,93 @@ static void set_points_are_one_delay_late(void) {
   CHECK(!avo_filter_is_valid(filter));
 }
 
+/* A ball and a balloon come, change and go. */
+static void moving_obstacles_come_and_go(void) {
+  avo_space_robot_def robot_def = avo_default_space_robot_def();
+  avo_space_simulation_def def = avo_default_space_simulation_def();
+  avo_space_moving_obstacle_def ball = avo_default_space_moving_obstacle_def();
+  const avo_space_timed_point places[2] = {{0.0, {0.0, 9.0, 0.0}}, {6.0, {0.0, 9.0, 6.0}}};
+  avo_space_simulation_id fleet;
+  avo_moving_obstacle_id ids[2], thrown;
+  avo_vec3 positions[2], velocities[2];
+  avo_space_plan plan;
+  size_t count = 0;
+  ball.trajectory = places;
+  ball.trajectory_count = 2;
+  def.robots = &robot_def;
+  def.robot_count = 1;
+  def.moving_obstacles = &ball;
+  def.moving_obstacle_count = 1;
+  REQUIRE(avo_create_space_simulation(&def, &fleet));
+  ball.trajectory_count = 0;
+  ball.position = at(12.0, 0.0, 0.0);
+  ball.velocity = at(-4.0, 0.0, 0.0);
+  for (int k = 0; k < 20; ++k) REQUIRE(avo_space_simulation_step(fleet));
+  REQUIRE(avo_space_simulation_add_moving_obstacle(fleet, &ball, &thrown));
+  CHECK(thrown.value == 2);
+  REQUIRE(avo_space_simulation_get_moving_obstacles(fleet, positions, velocities, 2));
+  CHECK(fabs(positions[0].z - 2.0) < 1e-9 && positions[1].x == 12.0 && velocities[1].x == -4.0);
+  bool evading = false;
+  for (int k = 0; k < 30; ++k) {
+    REQUIRE(avo_space_simulation_step(fleet));
+    REQUIRE(avo_space_simulation_get_plan(fleet, robot(1), &plan));
+    evading = evading || plan.evading;
+  }
+  CHECK(evading);
+  REQUIRE(avo_space_simulation_get_moving_obstacles(fleet, positions, NULL, 2));
+  CHECK(fabs(positions[1].x) < 1e-9);
+  ball.position = at(40.0, 0.0, 0.0);
+  REQUIRE(avo_space_simulation_change_moving_obstacle(fleet, thrown, &ball));
+  ids[0].value = 1;
+  REQUIRE(avo_space_simulation_remove_moving_obstacle(fleet, ids[0]));
+  REQUIRE(avo_space_simulation_moving_obstacle_ids(fleet, ids, 2, &count));
+  CHECK(count == 1 && ids[0].value == 2);
+  REQUIRE(avo_space_simulation_get_moving_obstacles(fleet, positions, velocities, 1));
+  CHECK(positions[0].x == 40.0);
+  ids[0].value = 1;
+  REFUSES(avo_space_simulation_remove_moving_obstacle(fleet, ids[0]), AVO_ERROR_INVALID_ID,
+          "obstacle: found 1, must be the id of one that is there");
+  ball.radius = 0.0;
+  REFUSES(avo_space_simulation_add_moving_obstacle(fleet, &ball, &thrown), AVO_ERROR_INVALID_VALUE,
+          "moving obstacle 2: radius: found 0");
+  REQUIRE(avo_destroy_space_simulation(fleet));
+}
+
+/* The goal of the second robot is below the floor. */
+static void goals_out_of_reach_are_told(void) {
+  avo_space_robot_def robots[2] = {avo_default_space_robot_def(), avo_default_space_robot_def()};
+  avo_space_simulation_def def = avo_default_space_simulation_def();
+  const avo_space_box floor = floor_at(-1.0);
+  avo_space_simulation_id fleet;
+  avo_robot_id ids[2];
+  bool all_at_goal = true;
+  size_t count = 0;
+  double left = 0.0;
+  robots[0].goal = at(2.0, 0.0, 1.0);
+  robots[1].position = at(0.0, 9.0, 0.0);
+  robots[1].goal = at(0.0, 9.0, -3.5);
+  def.robots = robots;
+  def.robot_count = 2;
+  def.boxes = &floor;
+  def.box_count = 1;
+  REQUIRE(avo_create_space_simulation(&def, &fleet));
+  REQUIRE(avo_space_simulation_unreachable(fleet, NULL, 0, &count));
+  CHECK(count == 1);
+  REQUIRE(avo_space_simulation_unreachable(fleet, ids, 2, &count));
+  CHECK(ids[0].value == 2);
+  REQUIRE(avo_space_simulation_get_distance_left(fleet, ids[0], &left));
+  CHECK(fabs(left - 3.0) < 0.1);
+  REQUIRE(avo_space_simulation_get_distance_left(fleet, robot(1), &left));
+  CHECK(left == 0.0);
+  REFUSES(avo_space_simulation_get_distance_left(fleet, robot(3), &left), AVO_ERROR_INVALID_ID,
+          "robot: found 3, must be the id of one that is there");
+  REQUIRE(avo_space_simulation_set_boxes(fleet, NULL, 0));
+  for (int k = 0; k < 100; ++k) REQUIRE(avo_space_simulation_step(fleet));
+  REQUIRE(avo_space_simulation_all_at_goal(fleet, &all_at_goal));
+  CHECK(all_at_goal);
+  REQUIRE(avo_destroy_space_simulation(fleet));
+}
+
 static void scene_files_are_read(void) {
   const char* const overrides[] = {"robots.0.radius=0.25"};
   avo_space_simulation_id fleet;
@@ -225,6 +321,8 @@ int main(void) {
   one_robot_gives_way();
   one_robot_evades_what_moves();
   set_points_are_one_delay_late();
+  moving_obstacles_come_and_go();
+  goals_out_of_reach_are_told();
   scene_files_are_read();
   return 0;
 }

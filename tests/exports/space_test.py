@@ -17,10 +17,27 @@ robots:
   - {position: [-6, 0, 1], goal: [6, 0, 2], radius: 0.4}
   - {position: [6, 0.1, 1], goal: [-6, 0, 1], downwash: 0.5}
   - {position: [0, -5, 2], goal: [0, 5, 0.5], radius: 0.3}
+moving_obstacles:
+  - {position: [0, 20, 3], velocity: [0, -2, 4], acceleration: [0, 0, -9.81], radius: 0.2}
+  - {trajectory: [[0, -30, 3, 2], [1.55, 0, 12, 2], [3, 30, 12, 4]], radius: 1.5}
 obstacles:
   - {floor: -1}
   - {box: {min: [2, 3, 0], max: [3, 4, 2], heading: 0.5}}
 """
+BALLS = ("robot", 0, 0.4), ("robot", 1, 0.5), ("robot", 2, 0.3), ("moving", 0, 0.2), ("moving", 1, 1.5)
+
+
+def movers_at(t):
+    """Places and velocities of the moving obstacles."""
+    ball = (0, 20 - 2 * t, 3 + 4 * t - 9.81 * t * t / 2), (0, -2, 4 - 9.81 * t)
+    part = t / 1.55 if t < 1.55 else (t - 1.55) / 1.45
+    legs = (-30, 3, 2), (0, 12, 2), (30, 12, 4)
+    a, b = legs[:2] if t < 1.55 else legs[1:]
+    time = 1.55 if t < 1.55 else 1.45
+    way = [v - u for u, v in zip(a, b)]
+    return ball, ([u + part * w for u, w in zip(a, way)], [w / time if t < 3 - 1e-9 else 0 for w in way])
+
+
 WIDTH = {"SCALAR": 1, "VEC3": 3}
 
 
@@ -88,14 +105,17 @@ class Gltf(Exported):
     def test_balls_move_on_the_cubic_of_the_rows(self):
         rows = self.rows(self.recording)
         animation, = self.tree["animations"]
-        self.assertEqual(len(animation["channels"]), 3)
-        for channel in animation["channels"]:
+        self.assertEqual(len(animation["channels"]), 5)
+        for channel, (kind, number, radius) in zip(animation["channels"], BALLS):
             self.assertEqual(channel["target"]["path"], "translation")
             node = self.tree["nodes"][channel["target"]["node"]]
-            robot = int(node["name"].split()[1])
-            own = [row for row in rows if row["robot"] == robot]
-            radius = (0.4, 0.5, 0.3)[robot]
+            self.assertEqual((node["name"].split()[0], int(node["name"].split()[-1])), (kind, number))
+            own = [row for row in rows if row["robot"] == number]
             self.assertEqual(node["scale"], [radius] * 3)
+            if kind == "moving":
+                self.assertEqual(node["mesh"], 7)
+                self.follows(animation["samplers"][channel["sampler"]], number, [row["time"] for row in own])
+                continue
             sampler = animation["samplers"][channel["sampler"]]
             self.assertEqual(sampler["interpolation"], "CUBICSPLINE")
             times = [time for time, in self.numbers(sampler["input"])]
@@ -108,6 +128,22 @@ class Gltf(Exported):
                 for found, names in ((into, "vx vy vz"), (place, "x y z"), (out, "vx vy vz")):
                     for x, name in zip(found, names.split()):
                         self.assertAlmostEqual(x, row[name], places=5)
+
+    def follows(self, sampler, number, times):
+        """A ball is on a cubic, and a moving obstacle with a trajectory goes straight."""
+        keys = self.numbers(sampler["output"])
+        self.assertEqual(sampler["interpolation"], ("CUBICSPLINE", "LINEAR")[number])
+        if number == 0:
+            self.assertEqual(len(keys), 3 * len(times))
+            for k, time in enumerate(times):
+                place, velocity = movers_at(time)[0]
+                for found, expected in zip((*keys[3 * k], *keys[3 * k + 1]), (*velocity, *place)):
+                    self.assertAlmostEqual(found, expected, places=4)
+            return
+        self.assertEqual(len(keys), len(times))
+        for key, time in zip(keys, times):
+            for found, expected in zip(key, movers_at(time)[1][0]):
+                self.assertAlmostEqual(found, expected, places=4)
 
     def test_z_is_up_and_boxes_stand_where_they_are(self):
         x, y, z, w = self.tree["nodes"][0]["rotation"]
@@ -129,6 +165,8 @@ class Gltf(Exported):
 
 
 class SpaceMcap(Mcap):
+    movers = True
+
     def test_messages_are_the_rows(self):
         scene = self.folder / "drones.yaml"
         scene.write_text(SCENE)
@@ -155,6 +193,17 @@ class SpaceMcap(Mcap):
             ahead = (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y))
             for found, expected in zip(ahead, velocity):
                 self.assertAlmostEqual(found, expected / speed, places=9)
+        moving = [[message(entity) for entity in m[2][2]] for m in messages if m[0] == "/moving_obstacles"]
+        times = sorted({row["time"] for row in rows})
+        self.assertEqual(len(moving), len(times))
+        for entities, time in zip(moving, times):
+            for entity, (place, velocity), radius in zip(entities, movers_at(time), (0.2, 1.5), strict=True):
+                for k in range(3):
+                    self.assertAlmostEqual(one(entity, 9, 1, 1, k + 1), place[k], places=9)
+                    self.assertEqual(one(entity, 9, 2, k + 1), 2 * radius)
+                speed = math.hypot(*velocity)
+                if speed > 1e-3:
+                    self.assertAlmostEqual(one(entity, 7, 2) + one(entity, 7, 4), speed, places=9)
         floor, box = (message(entity) for entity in messages[0][2][2])
         self.assertAlmostEqual(one(floor, 8, 1, 1, 3) + one(floor, 8, 2, 3) / 2, -1)
         for k, size in ((1, 1), (2, 1), (3, 2)):

@@ -190,6 +190,44 @@ def test_decisions_beside_moving_obstacles_are_explained():
     assert told[0]["neighbors"][0]["neighbor"] == "moving_obstacles.0"
 
 
+def test_moving_obstacles_come_change_and_go():
+    simulation = avo.space.Simulation({"version": 1, "space": 3, "robots": [{"position": [0, 0, 0], "goal": [0, 0, 0]}],
+                                       "moving_obstacles": [{"trajectory": [[0, 0, 9, 0], [6, 0, 9, 6]]}]})
+    assert simulation.moving_obstacles()[0].trajectory[1] == (6.0, 0.0, 9.0, 6.0)
+    simulation.step(20)
+    ball = avo.space.MovingObstacle(position=(12, 0, 0), velocity=(-4, 0, 0))
+    assert simulation.add_moving_obstacle(ball) == 1
+    assert np.allclose(simulation.moving_obstacle_position(), [[0, 9, 2], [12, 0, 0]])
+    simulation.step(30)
+    assert np.allclose(simulation.moving_obstacle_position()[1], 0.0)
+    assert np.linalg.norm(simulation.position()[0]) > 1.0, "it has evaded the ball"
+    player = avo.space.MovingObstacle(position=(40, 0, 0), max_deviation=1.0, max_speed=2.0)
+    simulation.change_moving_obstacle(1, player)
+    simulation.remove_moving_obstacle(0)
+    assert simulation.moving_obstacle_ids() == [1] and simulation.moving_obstacles()[0].max_speed == 2.0
+    assert simulation.moving_obstacle_velocity().tolist() == [[0, 0, 0]]
+    for gone in (0, -1):
+        with pytest.raises(avo.Error, match=f"moving obstacle {gone}: found none of that id"):
+            simulation.remove_moving_obstacle(gone)
+    with pytest.raises(avo.Error, match="moving obstacle 2 and robot 0: braking now leaves"):
+        simulation.add_moving_obstacle(avo.space.MovingObstacle(position=simulation.position()[0]))
+
+
+def test_goals_out_of_reach_are_told():
+    scene = avo.space.Scenario({"version": 1, "space": 3, "obstacles": [{"floor": -1}], "robots": [
+        {"position": [0, 0, 0], "goal": [2, 0, 1]}, {"position": [0, 9, 0], "goal": [0, 9, -3.5]}]})
+    one, = scene.out_of_reach()
+    assert one["robot"] == 1 and one["is_in_box"] and one["distance_left"] == pytest.approx(3.0, abs=0.1)
+    assert np.linalg.norm(np.subtract(one["nearest"], (0, 9, -3.5))) == pytest.approx(one["distance_left"])
+    simulation = avo.space.Simulation(scene)
+    assert simulation.unreachable() == [1] and simulation.distance_left(0) == 0.0
+    assert simulation.distance_left(1) == pytest.approx(one["distance_left"], abs=1e-6)
+    with pytest.raises(avo.Error, match="robot: found 2, must be 0 to 1"):
+        simulation.distance_left(2)
+    simulation.set_boxes([])
+    assert simulation.unreachable() == []
+
+
 def test_bad_numbers_are_a_status_and_other_points_are_refused():
     planner = avo.space.Planner()
     assert planner.plan(avo.space.Robot(position=(0, 0, float("nan")))).status == "invalid_input"

@@ -10,6 +10,7 @@ Detour = _avo._space.Detour
 Detours = _avo._space.Detours
 Filter = _avo._space.Filter
 Mover = _avo._space.Mover
+MovingObstacle = _avo._space.MovingObstacle
 Neighbor = _avo._space.Neighbor
 Neighbors = _avo._space.Neighbors
 Plan = _avo._space.Plan
@@ -35,6 +36,7 @@ __all__ = [
     "Detours",
     "Filter",
     "Mover",
+    "MovingObstacle",
     "Neighbor",
     "Neighbors",
     "Plan",

@@ -15,4 +15,15 @@ avo::space::Scenario scenario_of_space(const py::object& source, const py::objec
 
 using SharedSpaceSimulation = Shared<avo::space::Simulation>;
 
+namespace space {
+
+using SpaceSimulationClass = py::class_<SharedSpaceSimulation>;
+void bind_moving_obstacles(py::module_& space);
+void bind_edits(SpaceSimulationClass& simulation);
+
+/// Throws Error unless there is a robot of that id.
+avo::RobotId checked(const avo::space::Simulation& simulation, std::int64_t robot);
+
+}  // namespace space
+
 }  // namespace avo_python

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "arrays.h"
+#include "avo/space/reachability.h"
 #include "avo_io/space.h"
 #include "fields.h"
 #include "space.h"
@@ -18,6 +19,19 @@ using py::arg;
 
 Scenario parse(const std::string& text, const std::string& file, const py::object& overrides) {
   return avo_io::parse_space_scenario(text, file, overrides_of(overrides));
+}
+
+py::list out_of_reach_of(const Scenario& scenario) {
+  py::list list;
+  for (const avo::space::OutOfReach& one : avo::space::out_of_reach(scenario)) {
+    py::dict entry;
+    entry["robot"] = one.robot;
+    entry["nearest"] = one.nearest;
+    entry["distance_left"] = one.distance_left;
+    entry["is_in_box"] = one.is_in_box;
+    list.append(entry);
+  }
+  return list;
 }
 
 void bind_scenario(py::module_& space) {
@@ -36,7 +50,13 @@ void bind_scenario(py::module_& space) {
                              "m, between centers; what the robots need where the scene names none")
       .def_property_readonly("fleet_delay", &avo::space::fleet_delay,
                              "s: how long after their references all quadrotors fly")
+      .def("out_of_reach", &out_of_reach_of,
+           "A dict of each robot that boxes keep from its goal: its \"robot\" number, the "
+           "\"nearest\" place that it gets to, m, the \"distance_left\" from there to the goal, m, "
+           "and whether the goal \"is_in_box\", nearer to a box than the radius.")
       .def_readonly("robots", &Scenario::robots, "list of RobotSetup, a copy")
+      .def_readonly("moving_obstacles", &Scenario::moving_obstacles,
+                    "list of MovingObstacle, a copy")
       .def_readonly("boxes", &Scenario::boxes, "list of Box, of all obstacles, a copy")
       .def("__repr__", [](const Scenario& scenario) {
         return fmt::format("<avo.space.Scenario {}: {} robots>", scenario.name,
@@ -66,12 +86,6 @@ void step(SharedSpaceSimulation& self, std::int64_t n) {
   }
 }
 
-avo::RobotId checked(const Simulation& simulation, std::int64_t robot) {
-  if (robot < 0 || robot >= static_cast<std::int64_t>(simulation.size()))
-    throw avo::Error(fmt::format("robot: found {}, must be 0 to {}", robot, simulation.size() - 1));
-  return {static_cast<std::uint64_t>(robot)};
-}
-
 // Returns a method that gives the rows of all robots; vector(simulation, k) is a Vec3.
 template <typename Vector>
 auto rows_by(Vector vector) {
@@ -90,7 +104,7 @@ auto told(Value value) {
   };
 }
 
-void bind_state(py::class_<SharedSpaceSimulation>& simulation) {
+void bind_state(SpaceSimulationClass& simulation) {
   simulation
       .def("position",
            rows_by([](const Simulation& s, std::size_t k) { return s.robots()[k].position; }),
@@ -128,12 +142,28 @@ void bind_state(py::class_<SharedSpaceSimulation>& simulation) {
           "(n,) bool: whether it is within arrival_distance of its goal.")
       .def("all_at_goal", told([](const Simulation& s) { return s.all_at_goal(); }),
            "Whether all robots are at their goals.")
+      .def("unreachable", told([](const Simulation& s) {
+             std::vector<std::uint64_t> ids;
+             for (const avo::RobotId id : s.unreachable()) ids.push_back(id.value);
+             return ids;
+           }),
+           "Ids of robots that boxes keep from their goals: they go as near as they can, and are "
+           "distance_left() from there.")
+      .def(
+          "distance_left",
+          [](SharedSpaceSimulation& self, std::int64_t robot) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.route(checked(s, robot)).distance_left; });
+          },
+          arg("robot"),
+          "m, from the nearest place that the robot can reach to its goal; 0 where no box keeps it "
+          "from its goal.")
       .def("state_hash", told([](const Simulation& s) { return s.state_hash(); }),
            "Equal for equal states, bit by bit.");
 }
 
 void bind_simulation(py::module_& space) {
-  py::class_<SharedSpaceSimulation> simulation(space, "Simulation", "A fleet in space.");
+  SpaceSimulationClass simulation(space, "Simulation", "A fleet in space.");
   simulation
       .def(py::init(&make_simulation), arg("scene"), arg("threads") = 0,
            "scene: a Scenario, or what Scenario() takes; threads: 0 to 1024, 0: all processors.")
@@ -145,20 +175,6 @@ void bind_simulation(py::module_& space) {
       .def_property_readonly("time", told([](const Simulation& s) { return s.time(); }), "s")
       .def_property_readonly("steps", told([](const Simulation& s) { return s.steps(); }),
                              "done since the start")
-      .def(
-          "set_goal",
-          [](SharedSpaceSimulation& self, std::int64_t robot, avo::Vec3 goal) {
-            self.alone([&](Simulation& s) { s.set_goal(checked(s, robot), goal); });
-          },
-          arg("robot"), arg("goal"), "Gives the robot of that id another goal, (x, y, z), m.")
-      .def(
-          "set_boxes",
-          [](SharedSpaceSimulation& self, const std::vector<avo::space::Box>& boxes) {
-            self.alone([&](Simulation& s) { s.set_boxes(boxes); });
-          },
-          arg("boxes"),
-          "Replaces all boxes. Raises Error, and changes nothing, where a robot is in a box or "
-          "cannot brake before it.")
       .def("__repr__", [](SharedSpaceSimulation& self) {
         return self.briefly([](const Simulation& s) {
           return fmt::format("<avo.space.Simulation {}: {} robots at {:.9g} s>", s.scenario().name,
@@ -166,11 +182,19 @@ void bind_simulation(py::module_& space) {
         });
       });
   bind_state(simulation);
+  bind_edits(simulation);
 }
 
 }  // namespace
 
+avo::RobotId checked(const Simulation& simulation, std::int64_t robot) {
+  if (robot < 0 || robot >= static_cast<std::int64_t>(simulation.size()))
+    throw avo::Error(fmt::format("robot: found {}, must be 0 to {}", robot, simulation.size() - 1));
+  return {static_cast<std::uint64_t>(robot)};
+}
+
 void bind_scenes(py::module_& space) {
+  bind_moving_obstacles(space);
   bind_scenario(space);
   bind_simulation(space);
 }

@@ -60,6 +60,10 @@ class AVO_API Check {
   /// ends. movers: the states of all moving obstacles, in their order.
   void add(double time, std::span<const CheckedState> rows,
            std::span<const CheckedState> movers = {});
+  /// Moving obstacles have come, gone or changed at the time of the last add(). There are these
+  /// from then on, and states says where they were at that time. The report names them by the
+  /// numbers in their states.
+  void set_movers(std::vector<CheckedMover> movers, std::span<const CheckedState> states);
   /// Declares that rows are missing between the last add() and the next one: the step is one of
   /// CheckReport::unjudged_steps.
   void skip();

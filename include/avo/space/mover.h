@@ -33,8 +33,8 @@ struct TimedPoint {
 
 /// A moving obstacle as a scene lists it.
 struct MovingObstacle {
-  Vec3 position = {};                    ///< m, at 0 s
-  Vec3 velocity = {};                    ///< m/s, at 0 s
+  Vec3 position = {};                    ///< m, at 0 s, or when it comes while a run goes on
+  Vec3 velocity = {};                    ///< m/s, likewise
   Vec3 acceleration = {};                ///< m/s^2, constant
   double radius = 0.5;                   ///< m, > 0
   double max_deviation = 0.0;            ///< m/s^2, >= 0, that robots allow for
@@ -50,10 +50,11 @@ struct MovingObstacle {
 struct MoverState {
   Vec3 position, velocity;  ///< m, m/s
 };
-/// On a trajectory the velocity is the one with which it goes on.
+/// time: s, on its own clock: that of the run on a trajectory, else since it had the position and
+/// the velocity given. On a trajectory the velocity is the one with which it goes on.
 AVO_API MoverState state_at(const MovingObstacle& obstacle, double time);
 
-/// The moving obstacle as a robot senses it exactly at that time, s.
+/// The moving obstacle as a robot senses it exactly at that time, s, on its own clock.
 AVO_API Mover mover_at(const MovingObstacle& obstacle, double time);
 
 }  // namespace avo::space

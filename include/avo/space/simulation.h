@@ -39,14 +39,21 @@ class AVO_API Simulation {
   [[nodiscard]] std::int64_t steps() const;  ///< taken so far
   [[nodiscard]] std::size_t size() const;    ///< number of robots
   [[nodiscard]] int threads() const;         ///< that a step may use
+  /// The scene, with the present goals, boxes and moving obstacles.
   [[nodiscard]] const Scenario& scenario() const;
   /// The states of all robots, in the order of the scene: robot k has the id k. Valid until the
   /// next step.
   [[nodiscard]] std::span<const Robot> robots() const;
-  /// The last decisions; those before the first step are empty.
+  /// The last decisions; those before the first step are empty. `neighbor` and `mover` are the
+  /// values of ids, and `box` a place in the scene's boxes.
   [[nodiscard]] std::span<const Plan> plans() const;
-  /// The moving obstacles of the scene as they are now, exactly; valid until the next step.
+  /// The moving obstacles as they are now, exactly, by ascending id; valid until the next step or
+  /// edit.
   [[nodiscard]] std::span<const Mover> movers() const;
+  /// Their ids; those of the scene are 0, 1, ...
+  [[nodiscard]] std::span<const MovingObstacleId> moving_obstacle_ids() const;
+  /// Where each was at the start of the last step, or when it came or was changed since.
+  [[nodiscard]] std::span<const MoverState> movers_before() const;
   /// m. Throws Error, as all questions about one robot do, for a robot that does not exist.
   [[nodiscard]] Vec3 goal(RobotId robot) const;
   /// Returns whether the robot is within the arrival distance of its goal. With `navigation`, no
@@ -98,6 +105,18 @@ class AVO_API Simulation {
   /// Gives the robot another goal, m; the same goal again changes nothing. Throws Error for a robot
   /// that does not exist, and for a goal that is not finite.
   void set_goal(RobotId robot, Vec3 goal);
+  /// A moving obstacle comes: a helicopter, a ball, or a player whom the host moves. With a
+  /// trajectory it is where the trajectory says at the present time. Throws Error on bad values.
+  /// Under a certificate it also throws Error on one before which some robot cannot brake, and on
+  /// one that has to be seen from beyond the scene's sensing_radius. Changes nothing where it
+  /// throws.
+  MovingObstacleId add_moving_obstacle(const MovingObstacle& obstacle);
+  /// Changes the moving obstacle: its place, velocity, radius, limits and trajectory are those of
+  /// `obstacle` from now on. Robots count on no more than max_deviation and max_speed say. What the
+  /// host changes faster they evade as well as they can, and nothing is promised of it. Throws
+  /// Error on bad values, and if there is none of that id. Changes nothing where it throws.
+  void change_moving_obstacle(MovingObstacleId id, const MovingObstacle& obstacle);
+  void remove_moving_obstacle(MovingObstacleId id);  ///< throws Error if there is none of that id
   /// Replaces all boxes between two steps. Throws Error, and changes nothing, where a robot is in a
   /// box or cannot brake before it.
   void set_boxes(std::span<const Box> boxes);

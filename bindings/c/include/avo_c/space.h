@@ -211,6 +211,27 @@ typedef struct avo_space_robot_def {
 } avo_space_robot_def;
 AVO_C_API avo_space_robot_def avo_default_space_robot_def(void);
 
+/// Where a moving obstacle is at a time.
+typedef struct avo_space_timed_point {
+  double time;        ///< s
+  avo_vec3 position;  ///< m
+} avo_space_timed_point;
+
+/// A ball that reacts to no robot. It keeps its acceleration, or it moves as a trajectory says;
+/// with a trajectory, position and velocity are not read.
+typedef struct avo_space_moving_obstacle_def {
+  size_t size;
+  avo_vec3 position;                        ///< m, at the start, or when it is added
+  avo_vec3 velocity;                        ///< m/s, likewise
+  avo_vec3 acceleration;                    ///< m/s^2; 0 with max_speed
+  double radius;                            ///< m, > 0
+  double max_deviation;                     ///< m/s^2, >= 0, that robots allow for
+  double max_speed;                         ///< m/s, > 0, with max_deviation; 0: unset
+  const avo_space_timed_point* trajectory;  ///< trajectory_count places by ascending times
+  size_t trajectory_count;
+} avo_space_moving_obstacle_def;
+AVO_C_API avo_space_moving_obstacle_def avo_default_space_moving_obstacle_def(void);
+
 typedef struct avo_space_simulation_def {
   size_t size;
   double time_step;             ///< s, > 0
@@ -228,6 +249,8 @@ typedef struct avo_space_simulation_def {
   int32_t threads;              ///< 0 to 1024; 0: as many as the machine has
   const avo_space_robot_def* robots;
   size_t robot_count;  ///< >= 1
+  const avo_space_moving_obstacle_def* moving_obstacles;
+  size_t moving_obstacle_count;
   const avo_space_box* boxes;
   size_t box_count;
 } avo_space_simulation_def;
@@ -252,26 +275,62 @@ AVO_C_API avo_result avo_space_simulation_get_time(avo_space_simulation_id simul
                                                    double* time);
 AVO_C_API avo_result avo_space_simulation_get_robot_count(avo_space_simulation_id simulation,
                                                           size_t* count);
-/// Writes the states of all robots in the order of the definition. Either array may be null.
+/// Writes the states of all robots in the order of the definition, which is that of their ids 1, 2,
+/// ... Either array may be null.
 /// capacity: elements of the arrays; where it is less than the number of robots, the result is
 /// AVO_ERROR_BUFFER_TOO_SMALL.
 AVO_C_API avo_result avo_space_simulation_get_states(avo_space_simulation_id simulation,
                                                      avo_vec3* positions, avo_vec3* velocities,
                                                      size_t capacity);
-/// The last decision of a robot. robot, here and below: its position in the definition's `robots`.
-AVO_C_API avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, size_t robot,
-                                                   avo_space_plan* plan);
+/// The last decision of a robot. Its `neighbor` and `mover` are the values of ids less 1, and its
+/// `box` is the position in the definition's boxes. AVO_ERROR_INVALID_ID where there is no such
+/// robot, here and below.
+AVO_C_API avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation,
+                                                   avo_robot_id robot, avo_space_plan* plan);
 /// The decision that the robot makes in the next step in words, with the reason and the names of
 /// those that cause it: one or two sentences in UTF-8, with a 0 at the end. Buffer, capacity and
 /// size are those of avo_simulation_save(). Nothing moves; no other call of this simulation may run
 /// at the same time.
-AVO_C_API avo_result avo_space_simulation_explain(avo_space_simulation_id simulation, size_t robot,
-                                                  char* buffer, size_t capacity, size_t* size);
+AVO_C_API avo_result avo_space_simulation_explain(avo_space_simulation_id simulation,
+                                                  avo_robot_id robot, char* buffer, size_t capacity,
+                                                  size_t* size);
 /// Whether the robot is within the arrival distance of its goal, with no box between.
 AVO_C_API avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation,
-                                                     size_t robot, bool* is_at_goal);
-AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation, size_t robot,
-                                                   avo_vec3 goal);
+                                                     avo_robot_id robot, bool* is_at_goal);
+AVO_C_API avo_result avo_space_simulation_all_at_goal(avo_space_simulation_id simulation,
+                                                      bool* all_at_goal);
+/// m: from the nearest place that the robot can reach, where its route ends, to its goal. 0 where
+/// no box keeps it from its goal.
+AVO_C_API avo_result avo_space_simulation_get_distance_left(avo_space_simulation_id simulation,
+                                                            avo_robot_id robot, double* distance);
+/// Robots that boxes keep from their goals, by ascending id: they go as near as they can. buffer
+/// and count are those of avo_simulation_unreachable().
+AVO_C_API avo_result avo_space_simulation_unreachable(avo_space_simulation_id simulation,
+                                                      avo_robot_id* buffer, size_t capacity,
+                                                      size_t* count);
+AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation,
+                                                   avo_robot_id robot, avo_vec3 goal);
+/// A helicopter, a ball or a player comes. It is refused if some robot cannot brake before it.
+AVO_C_API avo_result avo_space_simulation_add_moving_obstacle(
+    avo_space_simulation_id simulation, const avo_space_moving_obstacle_def* def,
+    avo_moving_obstacle_id* obstacle);
+/// Its place, velocity, radius, limits and trajectory are those of the definition from now on.
+/// Nothing is promised of what the host changes faster than max_deviation and max_speed allow.
+AVO_C_API avo_result avo_space_simulation_change_moving_obstacle(
+    avo_space_simulation_id simulation, avo_moving_obstacle_id obstacle,
+    const avo_space_moving_obstacle_def* def);
+AVO_C_API avo_result avo_space_simulation_remove_moving_obstacle(avo_space_simulation_id simulation,
+                                                                 avo_moving_obstacle_id obstacle);
+/// The present moving obstacles, by ascending id. buffer and count are those of
+/// avo_simulation_unreachable().
+AVO_C_API avo_result avo_space_simulation_moving_obstacle_ids(avo_space_simulation_id simulation,
+                                                              avo_moving_obstacle_id* buffer,
+                                                              size_t capacity, size_t* count);
+/// The states of these, in that order. The arrays are those of avo_space_simulation_get_states().
+AVO_C_API avo_result avo_space_simulation_get_moving_obstacles(avo_space_simulation_id simulation,
+                                                               avo_vec3* positions,
+                                                               avo_vec3* velocities,
+                                                               size_t capacity);
 /// Replaces all boxes; refused where a robot is in one, or cannot brake before it.
 AVO_C_API avo_result avo_space_simulation_set_boxes(avo_space_simulation_id simulation,
                                                     const avo_space_box* boxes, size_t box_count);
