@@ -11,7 +11,7 @@ namespace avo_c {
 inline AVO_C_CONSTINIT Handles<avo_space_simulation_id, avo::space::Simulation> fleets(
     "space simulation");
 
-/// The id in C++ of a robot that is there. Throws Failure for another one.
+/// The id in C++ of a robot that is there. Throws Failure for another id.
 inline avo::RobotId present(const avo::space::Simulation& fleet, avo_robot_id robot) {
   if (robot.value == 0 || robot.value > fleet.size()) fail_absent(robot);
   return from_c(robot);

@@ -190,6 +190,27 @@ TEST(ExplanationsInSpace, end_in_what_the_robot_does_and_each_stage_follows) {
   EXPECT_GT(counts.ages, 100);
 }
 
+TEST(ExplanationsInSpace, name_moving_obstacles_by_their_ids) {
+  avo::space::Scenario scene;
+  scene.robots.resize(1);
+  scene.moving_obstacles.push_back({.position = {0.0, 30.0, 0.0}, .velocity = {0.0, 1.0, 0.0}});
+  Simulation simulation(scene, 1);
+  const avo::MovingObstacleId ball = simulation.add_moving_obstacle(
+      {.position = {9.0, 0.0, 0.0}, .velocity = {-3.0, 0.0, 0.0}, .radius = 0.4});
+  simulation.remove_moving_obstacle({0});
+  int named = 0;
+  for (int step = 0; step < 30; ++step) {
+    const Explanation why = simulation.explain({0});
+    simulation.step();
+    EXPECT_EQ(bits_of(why.decision.plan.next_velocity),
+              bits_of(simulation.plans()[0].next_velocity));
+    for (const avo::MovingObstacleId seen : why.seen.mover_ids) EXPECT_EQ(seen, ball);
+    named += why.sentence.find("moving obstacle 1") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(ball.value, 1U);
+  EXPECT_GT(named, 3);
+}
+
 TEST(ExplanationsInSpace, of_numbers_that_are_none_end_in_braking) {
   const Planner planner{avo::PlannerOptions{.method = avo::Method::avo}};
   avo::space::PlanWorkspace workspace;
