@@ -20,20 +20,12 @@
 namespace avo_cli {
 namespace {
 
-namespace figures = avo::figures;
-
-/// The run as one of the plane, with the elevation beside the plan.
+/// The run as one of the plane, with robots that are not always there.
 avo_io::RecordedRun in_plane(const SpaceRecordingShown& shown) {
-  const figures::ViewsInPlane views = views_in_plane(shown.scenario, shown.frames);
-  avo_io::RecordedRun run;
-  run.scenario = views.scenario;
-  run.travelers = static_cast<std::int64_t>(shown.scenario.robots.size());
+  avo_io::RecordedRun run = run_in_plane(shown.scenario, shown.frames);
   run.moments = shown.run.moments;
-  for (const avo_io::SpaceFrame& frame : shown.run.frames)
-    run.frames.push_back({frame.time, views.places(frame.position),
-                          std::vector<double>(2 * frame.position.size(), 0.0),
-                          views.twice(frame.there),
-                          views.places(figures::movers_at(shown.scenario, frame.time))});
+  for (std::size_t k = 0; k < run.frames.size(); ++k)
+    run.frames[k].there = avo::figures::ViewsInPlane::twice(shown.run.frames[k].there);
   return run;
 }
 
