@@ -63,12 +63,9 @@ std::string views_of(const SpaceRecordingShown& shown) {
   return image_of(draw_views(shown.scenario, shown.frames, "run.svg"), "plan and elevation");
 }
 
-/// Returns the replay in the lab, if the program has it. A recording does not tell where moving
-/// obstacles are, so the drawing shows those.
-std::string replay_of(const std::string& recording, const SpaceRecordingShown& shown,
-                      const avo_io::RecordedRun& run) {
-  if (lab_page().empty() || !shown.scenario.moving_obstacles.empty())
-    return page_replay("Replay: from above, and from the side", run, 2);
+/// Returns the replay in the lab, if the program has it; otherwise a drawing.
+std::string replay_in_space_of(const std::string& recording, const avo_io::RecordedRun& run) {
+  if (lab_page().empty()) return page_replay("Replay: from above, and from the side", run, 2);
   return page_lab_of(recording, run.travelers);
 }
 
@@ -93,7 +90,7 @@ std::optional<std::string> report_in_space(const ReportArguments& arguments) {
   return page_of(
       shown->scenario.name,
       fmt::format("{} robots in space, {:.6g} s", shown->scenario.robots.size(), last.time),
-      {verdict_of(judgement), replay_of(arguments.input, *shown, run),
+      {verdict_of(judgement), replay_in_space_of(arguments.input, run),
        page_figures("Figures", views_of(*shown) + "\n" + charts_of(run)),
        page_section("Results", again.results),
        page_text("What was judged", avo_io::readable(judgement)),
