@@ -106,7 +106,7 @@ void cpp_yard_hashes(uint64_t hashes[3]) {
   hashes[2] = simulation.state_hash();
 }
 
-std::uint64_t cpp_space_hash(int steps) {
+std::uint64_t cpp_space_hash(int steps, bool senses_late) {
   avo::space::Scenario scenario;
   for (int k = 0; k < 6; ++k) {
     avo::space::RobotSetup& robot = scenario.robots.emplace_back();
@@ -125,6 +125,11 @@ std::uint64_t cpp_space_hash(int steps) {
   avo::space::Box floor;
   floor.max.z = -4.0;
   scenario.boxes.push_back(floor);
+  if (senses_late) {
+    scenario.seed = 7;
+    scenario.sensing = {.noise = {.position = 0.02}, .delay = 2};
+    scenario.sensing_error = avo::SensingError{0.3, 0.4};
+  }
   avo::space::Simulation simulation(scenario);
   for (int k = 0; k < steps; ++k) simulation.step();
   return simulation.state_hash();
