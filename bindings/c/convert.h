@@ -84,6 +84,12 @@ avo::Team team_of(const avo_team_def& def, const Where& where);
 /// A definition that points to the team and to `robots`, which it fills.
 avo_team_def def_of(const avo::Team& team, std::vector<avo_robot_id>& robots);
 
+avo::SensingModel sensing_of(const avo_sensing_model& sensing);
+avo_sensing_model to_c(const avo::SensingModel& sensing);
+/// None where both are NaN.
+std::optional<avo::SensingError> error_of(const avo_sensing_error& error);
+avo_sensing_error to_c(const std::optional<avo::SensingError>& error);
+
 /// Settings, robots, teams and obstacles; without the threads.
 avo::Scenario scenario_of(const avo_simulation_def& def);
 

@@ -75,6 +75,8 @@ constexpr auto for_each_space_setting = [](const auto& visit) {
   visit("certificate", &Def::certificate, &Scene::certificate);
   visit("max_neighbors", &Def::max_neighbors, &Scene::max_neighbors);
   visit("navigation", &Def::navigation, &Scene::navigation);
+  visit("seed", &Def::seed, &Scene::seed);
+  visit("never_swerves", &Def::never_swerves, &Scene::never_swerves);
 };
 
 avo::space::Quadrotor quadrotor_of(const avo_quadrotor& def, const Where& where) {
@@ -111,6 +113,8 @@ avo::space::MovingObstacle obstacle_of(const avo_space_moving_obstacle_def& def,
 avo::space::Scenario scenario_of(const avo_space_simulation_def& def) {
   avo::space::Scenario scenario;
   take_members(def, scenario, {}, for_each_space_setting);
+  scenario.sensing = sensing_of(def.sensing);
+  scenario.sensing_error = error_of(def.sensing_error);
   scenario.duration = std::max(scenario.duration, def.time_step);
   for_each(def.robots, def.robot_count, "robots", avo_default_space_robot_def(),
            [&](const avo_space_robot_def& robot, const Where& where) {
@@ -148,6 +152,8 @@ avo_space_simulation_def avo_default_space_simulation_def(void) {
   avo_space_simulation_def def = {};
   def.size = sizeof def;
   give_members(avo::space::Scenario{}, def, for_each_space_setting);
+  def.sensing = to_c(avo::SensingModel{});
+  def.sensing_error = to_c(std::optional<avo::SensingError>{});
   return def;
 }
 

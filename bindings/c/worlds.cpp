@@ -21,28 +21,6 @@ std::vector<avo::TimedPlace> places_of(const avo_timed_place* places, std::size_
   return result;
 }
 
-avo::SensingModel sensing_of(const avo_sensing_model& sensing) {
-  avo::SensingModel result;
-  const avo_measurement_noise& noise = sensing.noise;
-  result.noise = {
-      noise.position, noise.velocity,
-      word<avo::NoiseDistribution>(noise.distribution, 2, {"sensing"}, "noise.distribution"),
-      unless_zero(noise.truncated)};
-  result.delay = sensing.delay;
-  result.dropped = sensing.dropped;
-  result.occlusion = sensing.occlusion;
-  return result;
-}
-
-avo_sensing_model to_c(const avo::SensingModel& sensing) {
-  const avo::MeasurementNoise& noise = sensing.noise;
-  return {{noise.position, noise.velocity, noise.truncated.value_or(0.0),
-           static_cast<avo_noise_distribution>(noise.distribution)},
-          sensing.dropped,
-          sensing.delay,
-          sensing.occlusion};
-}
-
 avo::LocalizationNoise localization_of(const avo_localization_noise& noise) {
   return {noise.position,
           word<avo::NoiseDistribution>(noise.distribution, 2, {"localization"}, "distribution"),
@@ -104,9 +82,7 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
   scenario.name = def.name == nullptr ? "" : def.name;
   scenario.sensing = sensing_of(def.sensing);
   scenario.sensing.localization = localization_of(def.localization);
-  const auto& error = def.sensing_error;
-  if (!std::isnan(error.position) || !std::isnan(error.velocity))
-    scenario.sensing_error = avo::SensingError{error.position, error.velocity};
+  scenario.sensing_error = error_of(def.sensing_error);
   if (def.execution != nullptr)
     scenario.execution = std::bit_cast<avo::ExecutionModel>(*def.execution);
   scenario.external_method = def.external_method == nullptr ? "" : def.external_method;
@@ -114,6 +90,38 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
 }
 
 }  // namespace
+
+avo::SensingModel sensing_of(const avo_sensing_model& sensing) {
+  avo::SensingModel result;
+  const avo_measurement_noise& noise = sensing.noise;
+  result.noise = {
+      noise.position, noise.velocity,
+      word<avo::NoiseDistribution>(noise.distribution, 2, {"sensing"}, "noise.distribution"),
+      unless_zero(noise.truncated)};
+  result.delay = sensing.delay;
+  result.dropped = sensing.dropped;
+  result.occlusion = sensing.occlusion;
+  return result;
+}
+
+avo_sensing_model to_c(const avo::SensingModel& sensing) {
+  const avo::MeasurementNoise& noise = sensing.noise;
+  return {{noise.position, noise.velocity, noise.truncated.value_or(0.0),
+           static_cast<avo_noise_distribution>(noise.distribution)},
+          sensing.dropped,
+          sensing.delay,
+          sensing.occlusion};
+}
+
+std::optional<avo::SensingError> error_of(const avo_sensing_error& error) {
+  if (std::isnan(error.position) && std::isnan(error.velocity)) return std::nullopt;
+  return avo::SensingError{error.position, error.velocity};
+}
+
+avo_sensing_error to_c(const std::optional<avo::SensingError>& error) {
+  return error ? avo_sensing_error{error->position, error->velocity}
+               : avo_sensing_error{kNotANumber, kNotANumber};
+}
 
 avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where& where) {
   avo::MovingObstacle obstacle;
@@ -180,15 +188,13 @@ avo::Scenario scenario_of(const avo_simulation_def& def) {
 }
 
 avo_simulation_def settings_of(const avo::Scenario& scenario) {
-  const avo::SensingError error =
-      scenario.sensing_error.value_or(avo::SensingError{kNotANumber, kNotANumber});
   avo_simulation_def def = {};
   def.size = sizeof def;
   give_members(scenario, def, for_each_setting);
   def.name = scenario.name.c_str();
   def.sensing = to_c(scenario.sensing);
   def.localization = to_c(scenario.sensing.localization);
-  def.sensing_error = {error.position, error.velocity};
+  def.sensing_error = to_c(scenario.sensing_error);
   if (scenario.execution)
     def.execution = reinterpret_cast<const avo_execution_model*>(&*scenario.execution);
   def.external_method = scenario.external_method.c_str();

@@ -10,12 +10,15 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "avo/export.h"
 #include "avo/metrics.h"
 #include "avo/scenario.h"
 #include "avo/simulation.h"
+#include "avo/space/scenario.h"
+#include "avo/space/simulation.h"
 #include "avo_io/errors.h"
 
 namespace avo_io {
@@ -72,10 +75,13 @@ AVO_API std::int64_t run_count(const SweepSpec& spec);
 AVO_API std::string fingerprint(const SweepSpec& spec);
 /// Returns one of the runs in words, e.g. "circle-100 orca time_horizon=5 seed=3".
 AVO_API std::string run_name(const SweepSpec& spec, std::int64_t run);
+/// A scene of the plane or of space.
+using SweepScenario = std::variant<avo::Scenario, avo::space::Scenario>;
+
 /// The scene of a run, and the name and the overrides (key=value) with which `avo run` makes it.
 /// Throws SceneError with the run's name.
 struct SweepRunScene {
-  avo::Scenario scenario;
+  SweepScenario scenario;
   std::string name;
   std::vector<std::string> overrides;
   std::string yaml;  ///< its text, without the overrides
@@ -86,6 +92,9 @@ AVO_API SweepRunScene scene_of_run(const SweepSpec& spec, std::int64_t run);
 AVO_API std::uint64_t simulate_again(
     const SweepSpec& spec, const avo::Scenario& scenario,
     const std::function<void(const avo::Simulation& simulation)>& observe);
+AVO_API std::uint64_t simulate_again(
+    const SweepSpec& spec, const avo::space::Scenario& scenario,
+    const std::function<void(const avo::space::Simulation& simulation)>& observe);
 
 /// One row for each run, by ascending number. All values are text: numbers have the shortest digits
 /// that read back to the same bits; a missing value is empty. The first columns are "sweep" (a hash

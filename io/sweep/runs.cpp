@@ -81,13 +81,18 @@ std::uint64_t hash_of(const SceneSource& source) {
 
 namespace {
 
-// Returns the scene if it is one of space, which has method avo alone.
-std::optional<avo::space::Scenario> scenario_of_space(const SweepSpec& spec, const SweepRun& run,
-                                                      SceneSource& source) {
+// Space has method avo alone.
+std::vector<std::string> overrides_in_space(const SweepSpec& spec, const SweepRun& run) {
   std::vector<std::string> overrides = overrides_of(spec, run);
   std::erase(overrides, "method=avo");
+  return overrides;
+}
+
+// Returns the scene if it is one of space.
+std::optional<avo::space::Scenario> scenario_of_space(const SweepSpec& spec, const SweepRun& run,
+                                                      SceneSource& source) {
   std::optional<avo::space::Scenario> scenario =
-      load_space_scenario(scene_of(spec, run), overrides, &source);
+      load_space_scenario(scene_of(spec, run), overrides_in_space(spec, run), &source);
   if (scenario && spec.line)
     throw SceneError("line: found with a scene of space, must be left out");
   if (scenario && !spec.judged.empty())
@@ -157,27 +162,41 @@ SweepRunScene scene_of_run(const SweepSpec& spec, std::int64_t number) {
   const SweepRun run = run_of(spec, number);
   SceneSource source;
   SweepScenario scenario = scenario_of(spec, run, source);
-  auto* plane = std::get_if<avo::Scenario>(&scenario);
-  if (plane == nullptr)
-    throw SceneError(fmt::format("{}: {}: found a scene of space, must be one of the plane here",
-                                 spec.name, run_name(spec, number)));
-  return {std::move(*plane), scene_of(spec, run), overrides_of(spec, run), std::move(source.yaml)};
+  const bool in_space = std::holds_alternative<avo::space::Scenario>(scenario);
+  return {std::move(scenario), scene_of(spec, run),
+          in_space ? overrides_in_space(spec, run) : overrides_of(spec, run),
+          std::move(source.yaml)};
 }
 
-std::uint64_t simulate_again(const SweepSpec& spec, const avo::Scenario& scenario,
-                             const std::function<void(const avo::Simulation&)>& observe) {
-  avo::Simulation simulation(scenario, spec.threads);
-  avo::Metrics metrics(scenario, {.judged = judged_of(spec)});
+namespace {
+
+template <class Simulation, class Metrics>
+std::uint64_t hash_after(const SweepSpec& spec, double duration, Simulation simulation,
+                         Metrics metrics, const std::function<void(const Simulation&)>& observe) {
   metrics.observe(simulation);
   observe(simulation);
   bool ends = false;
-  while (!ends && simulation.can_step_by(scenario.duration)) {
+  while (!ends && simulation.can_step_by(duration)) {
     simulation.step();
     metrics.observe(simulation);
     observe(simulation);
     ends = spec.until_arrived && metrics.all_arrived();
   }
   return simulation.state_hash();
+}
+
+}  // namespace
+
+std::uint64_t simulate_again(const SweepSpec& spec, const avo::Scenario& scenario,
+                             const std::function<void(const avo::Simulation&)>& observe) {
+  return hash_after(spec, scenario.duration, avo::Simulation(scenario, spec.threads),
+                    avo::Metrics(scenario, {.judged = judged_of(spec)}), observe);
+}
+
+std::uint64_t simulate_again(const SweepSpec& spec, const avo::space::Scenario& scenario,
+                             const std::function<void(const avo::space::Simulation&)>& observe) {
+  return hash_after(spec, scenario.duration, avo::space::Simulation(scenario, spec.threads),
+                    avo::space::Metrics(scenario), observe);
 }
 
 std::int64_t runs_of_one_kind(const SweepSpec& spec) {

@@ -5,12 +5,10 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "avo/metrics.h"
 #include "avo/scenario.h"
-#include "avo/space/scenario.h"
 #include "avo_io/scene.h"
 #include "avo_io/sweep.h"
 
@@ -30,9 +28,6 @@ const OwnMethod* own_method_of(const SweepSpec& spec, const SweepRun& run);
 std::vector<std::string> overrides_of(const SweepSpec& spec, const SweepRun& run);
 /// Returns a name or path for load_scenario().
 std::string scene_of(const SweepSpec& spec, const SweepRun& run);
-
-/// A scene of the plane or of space.
-using SweepScenario = std::variant<avo::Scenario, avo::space::Scenario>;
 
 /// Returns the run's scene, checked as `avo run` checks it. Throws SceneError with the run's name.
 /// `source` receives the texts that it was made of.

@@ -132,9 +132,18 @@ export interface SceneInfo {
   robots: RobotInfo[];
   walls: WallInfo[];
   boxes: BoxInfo[]; // of a scene of space
-  moving_obstacles: { radius: number }[];
+  moving_obstacles: MovingObstacleInfo[];
   advice: string[]; // settings that do not fit the robots
   broken_assumptions: string[]; // of the certificate; empty: its promise is valid
+}
+
+/** A moving obstacle. Of a scene of space it is known where it is at any time, in m, m/s, m/s^2 and s. */
+export interface MovingObstacleInfo {
+  radius: number;
+  position?: number[];
+  velocity?: number[];
+  acceleration?: number[];
+  trajectory?: number[][];  // [time, x, y, z], by ascending times; empty: it keeps its acceleration
 }
 
 /** A robot to add; omitted values have the defaults of scene files. */

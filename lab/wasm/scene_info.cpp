@@ -170,8 +170,16 @@ std::string info_of(const SpaceRun& run) {
   options["time_horizon"] = planner.time_horizon;
   options["sensing_radius"] = sensing_radius_of(scenario);
   Json moving_obstacles = Json::array();
-  for (const avo::space::MovingObstacle& obstacle : scenario.moving_obstacles)
-    moving_obstacles.push_back({{"radius", obstacle.radius}});
+  for (const avo::space::MovingObstacle& obstacle : scenario.moving_obstacles) {
+    Json trajectory = Json::array();
+    for (const auto& [time, place] : obstacle.trajectory)
+      trajectory.push_back({time, place.x, place.y, place.z});
+    moving_obstacles.push_back({{"radius", obstacle.radius},
+                                {"position", corner(obstacle.position)},
+                                {"velocity", corner(obstacle.velocity)},
+                                {"acceleration", corner(obstacle.acceleration)},
+                                {"trajectory", trajectory}});
+  }
   const Json json{{"dimensions", 3},
                   {"name", scenario.name},
                   {"duration", scenario.duration},

@@ -109,7 +109,7 @@ void cpp_yard_hashes(uint64_t hashes[3]) {
 
 namespace {
 
-avo::space::Simulation space_after(int steps) {
+avo::space::Simulation space_after(int steps, bool senses_late) {
   avo::space::Scenario scenario;
   for (int k = 0; k < 6; ++k) {
     avo::space::RobotSetup& robot = scenario.robots.emplace_back();
@@ -128,6 +128,11 @@ avo::space::Simulation space_after(int steps) {
   avo::space::Box floor;
   floor.max.z = -4.0;
   scenario.boxes.push_back(floor);
+  if (senses_late) {
+    scenario.seed = 7;
+    scenario.sensing = {.noise = {.position = 0.02}, .delay = 2};
+    scenario.sensing_error = avo::SensingError{0.3, 0.4};
+  }
   avo::space::Simulation simulation(scenario);
   for (int k = 0; k < steps; ++k) simulation.step();
   return simulation;
@@ -135,12 +140,12 @@ avo::space::Simulation space_after(int steps) {
 
 }  // namespace
 
-std::uint64_t cpp_space_hash(int steps) {
-  return space_after(steps).state_hash();
+std::uint64_t cpp_space_hash(int steps, bool senses_late) {
+  return space_after(steps, senses_late).state_hash();
 }
 
 void cpp_space_words(int steps, int robot, char* words, std::size_t capacity) {
-  const avo::space::Simulation simulation = space_after(steps);
+  const avo::space::Simulation simulation = space_after(steps, false);
   const std::string sentence = simulation.explain({static_cast<std::uint64_t>(robot)}).sentence;
   words[sentence.copy(words, capacity - 1)] = '\0';
 }

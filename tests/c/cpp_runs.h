@@ -2,6 +2,7 @@
 /* The same runs by the C++ interface, for their state hashes. */
 #ifndef AVO_TESTS_C_CPP_RUNS_H
 #define AVO_TESTS_C_CPP_RUNS_H
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -20,7 +21,7 @@ uint64_t cpp_sky_hash(int steps);
 void cpp_yard_hashes(uint64_t hashes[3]);
 
 /* Of six robots of space above a floor, one of them with a quadrotor behind it. */
-uint64_t cpp_space_hash(int steps);
+uint64_t cpp_space_hash(int steps, bool senses_late);
 
 /* What a robot of them decides after so many steps, in words. */
 void cpp_space_words(int steps, int robot, char* words, size_t capacity);

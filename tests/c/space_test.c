@@ -25,7 +25,7 @@ static avo_space_box floor_at(double z) {
 }
 
 /* Five drones of different kinds above a floor, and a quadrotor. */
-static avo_space_simulation_id make_fleet(void) {
+static avo_space_simulation_id make_fleet(bool senses_late) {
   avo_space_robot_def robots[6];
   avo_space_simulation_def def = avo_default_space_simulation_def();
   avo_space_simulation_id fleet = {0, 0};
@@ -51,6 +51,13 @@ static avo_space_simulation_id make_fleet(void) {
   def.boxes = &floor;
   def.box_count = 1;
   def.threads = 1;
+  if (senses_late) {
+    def.seed = 7;
+    def.sensing.noise.position = 0.02;
+    def.sensing.delay = 2;
+    def.sensing_error.position = 0.3;
+    def.sensing_error.velocity = 0.4;
+  }
   REQUIRE(avo_create_space_simulation(&def, &fleet));
   return fleet;
 }
@@ -73,7 +80,7 @@ static void decisions_are_told_as_in_cpp(void) {
 }
 
 static void a_fleet_moves_as_in_cpp(void) {
-  avo_space_simulation_id fleet = make_fleet();
+  avo_space_simulation_id fleet = make_fleet(true);
   avo_vec3 positions[6], velocities[6];
   avo_space_plan plan;
   uint64_t hash = 0;
@@ -81,7 +88,12 @@ static void a_fleet_moves_as_in_cpp(void) {
   bool is_at_goal = false;
   for (int k = 0; k < 50; ++k) REQUIRE(avo_space_simulation_step(fleet));
   REQUIRE(avo_space_simulation_get_state_hash(fleet, &hash));
-  CHECK(hash == cpp_space_hash(50));
+  CHECK(hash == cpp_space_hash(50, true));
+  REQUIRE(avo_destroy_space_simulation(fleet));
+  fleet = make_fleet(false);
+  for (int k = 0; k < 50; ++k) REQUIRE(avo_space_simulation_step(fleet));
+  REQUIRE(avo_space_simulation_get_state_hash(fleet, &hash));
+  CHECK(hash == cpp_space_hash(50, false) && hash != cpp_space_hash(50, true));
   REQUIRE(avo_space_simulation_get_time(fleet, &time));
   CHECK(fabs(time - 5.0) < 1e-9);
   REQUIRE(avo_space_simulation_get_states(fleet, positions, velocities, 6));

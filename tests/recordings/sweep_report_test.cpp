@@ -53,6 +53,27 @@ TEST(SweepReport, shows_the_run_that_is_asked_for) {
   EXPECT_THAT(page, HasSubstr("scenes: [circle-5, uniform-8]"));
 }
 
+// The balls of two robots and of a moving obstacle, from above and from the side.
+TEST(SweepReport, shows_a_run_in_space) {
+  write_file(path_of("drones.yaml"),
+             "version: 1\nspace: 3\nduration: 4\nrobots:\n"
+             "  - {position: [0, 0, 0], goal: [6, 0, 1]}\n"
+             "  - {position: [6, 1, 0], goal: [0, 1, 1]}\n"
+             "moving_obstacles:\n  - {position: [3, 9, 0], velocity: [0, -1, 0], radius: 0.7}\n");
+  const std::string spec = "version: 1\nscenes: [" + path_of("drones.yaml") +
+                           "]\nmethods: [avo]\nparameters:\n  time_horizon: [2, 3]\n";
+  swept(spec, "runs.csv");
+  const ProcessResult result = run_avo({"report", path_of("runs.csv"), path_of("out.html"),
+                                        "--spec", path_of("sweep.yaml"), "--run", "1"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string page = read_file(path_of("out.html"));
+  EXPECT_THAT(page, HasSubstr("time_horizon=3, from above, and from the side</h2>"));
+  EXPECT_THAT(page, HasSubstr("avo run " + path_of("drones.yaml") + " --set time_horizon=3</pre>"));
+  EXPECT_EQ(times_in(page, "<circle r=\"0.5\""), 4U);
+  EXPECT_EQ(times_in(page, "<circle r=\"0.7\""), 2U);
+  EXPECT_EQ(times_in(page, "<script>"), 1U);
+}
+
 TEST(SweepReport, knows_a_shard_by_its_runs) {
   swept(kSmallSweep, "part.csv", {"--shard", "3/5"});
   const ProcessResult result = run_avo(

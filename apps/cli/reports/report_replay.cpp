@@ -120,4 +120,18 @@ std::string data_of(const avo_io::RecordedRun& run) {
   return json.dump();
 }
 
+avo_io::RecordedRun run_in_plane(const avo::space::Scenario& scenario,
+                                 const std::vector<figures::SpaceRecorder::Frame>& frames) {
+  const figures::ViewsInPlane views = views_in_plane(scenario, frames);
+  avo_io::RecordedRun run;
+  run.scenario = views.scenario;
+  run.travelers = static_cast<std::int64_t>(scenario.robots.size());
+  for (const figures::SpaceRecorder::Frame& frame : frames) {
+    const std::size_t discs = 2 * frame.position.size();
+    run.frames.push_back({frame.time, views.places(frame.position), std::vector<double>(discs, 0.0),
+                          std::vector<bool>(discs, true), views.places(frame.mover)});
+  }
+  return run;
+}
+
 }  // namespace avo_cli

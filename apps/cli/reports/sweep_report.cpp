@@ -7,13 +7,16 @@
 #include <fmt/ranges.h>
 #include <set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "arguments/own_methods.h"
 #include "avo/version.h"
 #include "avo_io/printable.h"
+#include "avo_io/space.h"
 #include "avo_io/sweep.h"
 #include "exit_codes.h"
+#include "figures/space_views.h"
 #include "figures/trajectories.h"
 #include "lab_page/lab_page.h"
 #include "reports/comparison.h"
@@ -129,10 +132,26 @@ struct ShownRun {
   std::uint64_t state_hash = 0;
 };
 
+void simulate_in_space(const avo_io::SweepSpec& spec, const avo::space::Scenario& scenario,
+                       ShownRun& shown) {
+  avo::figures::SpaceRecorder recorder(
+      most_frames(2 * static_cast<std::int64_t>(scenario.robots.size())));
+  Progress progress(scenario.duration);
+  shown.state_hash = simulate_again(spec, scenario, [&](const avo::space::Simulation& simulation) {
+    recorder.observe(simulation);
+    progress.show(simulation.time());
+  });
+  shown.run = run_in_plane(scenario, recorder.frames());
+}
+
 ShownRun simulated(const avo_io::SweepSpec& spec, std::int64_t number) {
   ShownRun shown;
   shown.scene = scene_of_run(spec, number);
-  const avo::Scenario& scenario = shown.scene.scenario;
+  if (const auto* in_space = std::get_if<avo::space::Scenario>(&shown.scene.scenario)) {
+    simulate_in_space(spec, *in_space, shown);
+    return shown;
+  }
+  const auto& scenario = std::get<avo::Scenario>(shown.scene.scenario);
   avo::figures::TrajectoryRecorder recorder(
       most_frames(static_cast<std::int64_t>(scenario.robots.size())));
   Progress progress(scenario.duration);
@@ -176,9 +195,15 @@ std::string shard_option(const avo_io::SweepSpec& spec, const avo_io::SweepTable
 
 /// Returns the run in the lab, which simulates it again; without the lab, it returns a drawing.
 std::string motion_of(const std::string& heading, const ShownRun& shown) {
-  if (lab_page().empty()) return page_replay(heading, shown.run);
+  const bool in_space = std::holds_alternative<avo::space::Scenario>(shown.scene.scenario);
+  if (lab_page().empty())
+    return page_replay(in_space ? heading + ", from above, and from the side" : heading, shown.run,
+                       in_space ? 2 : 1);
   avo_io::SceneSource source;
-  (void)avo_io::load_scenario(shown.scene.name, shown.scene.overrides, &source);
+  if (in_space)
+    (void)avo_io::load_space_scenario(shown.scene.name, shown.scene.overrides, &source);
+  else
+    (void)avo_io::load_scenario(shown.scene.name, shown.scene.overrides, &source);
   return page_lab(heading, scene_input(source, true));
 }
 

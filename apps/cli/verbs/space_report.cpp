@@ -20,20 +20,12 @@
 namespace avo_cli {
 namespace {
 
-namespace figures = avo::figures;
-
-/// The run as one of the plane, with the elevation beside the plan.
+/// The run as one of the plane, with robots that are not always there.
 avo_io::RecordedRun in_plane(const SpaceRecordingShown& shown) {
-  const figures::ViewsInPlane views = views_in_plane(shown.scenario, shown.frames);
-  avo_io::RecordedRun run;
-  run.scenario = views.scenario;
-  run.travelers = static_cast<std::int64_t>(shown.scenario.robots.size());
+  avo_io::RecordedRun run = run_in_plane(shown.scenario, shown.frames);
   run.moments = shown.run.moments;
-  for (const avo_io::SpaceFrame& frame : shown.run.frames)
-    run.frames.push_back({frame.time, views.places(frame.position),
-                          std::vector<double>(2 * frame.position.size(), 0.0),
-                          views.twice(frame.there),
-                          views.places(figures::movers_at(shown.scenario, frame.time))});
+  for (std::size_t k = 0; k < run.frames.size(); ++k)
+    run.frames[k].there = avo::figures::ViewsInPlane::twice(shown.run.frames[k].there);
   return run;
 }
 
@@ -71,12 +63,9 @@ std::string views_of(const SpaceRecordingShown& shown) {
   return image_of(draw_views(shown.scenario, shown.frames, "run.svg"), "plan and elevation");
 }
 
-/// Returns the replay in the lab, if the program has it. A recording does not tell where moving
-/// obstacles are, so the drawing shows those.
-std::string replay_of(const std::string& recording, const SpaceRecordingShown& shown,
-                      const avo_io::RecordedRun& run) {
-  if (lab_page().empty() || !shown.scenario.moving_obstacles.empty())
-    return page_replay("Replay: from above, and from the side", run, 2);
+/// Returns the replay in the lab, if the program has it; otherwise a drawing.
+std::string replay_in_space_of(const std::string& recording, const avo_io::RecordedRun& run) {
+  if (lab_page().empty()) return page_replay("Replay: from above, and from the side", run, 2);
   return page_lab_of(recording, run.travelers);
 }
 
@@ -101,7 +90,7 @@ std::optional<std::string> report_in_space(const ReportArguments& arguments) {
   return page_of(
       shown->scenario.name,
       fmt::format("{} robots in space, {:.6g} s", shown->scenario.robots.size(), last.time),
-      {verdict_of(judgement), replay_of(arguments.input, *shown, run),
+      {verdict_of(judgement), replay_in_space_of(arguments.input, run),
        page_figures("Figures", views_of(*shown) + "\n" + charts_of(run)),
        page_section("Results", again.results),
        page_text("What was judged", avo_io::readable(judgement)),

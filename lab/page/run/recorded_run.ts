@@ -5,6 +5,7 @@ import type { Recording, RecordedFrame } from "../data/recording.ts";
 import { ContactLog } from "./contact_log.ts";
 import { fillClearance, touchesIn, vectorOf } from "../map/discs.ts";
 import { PastColumns } from "./past.ts";
+import { moversAt } from "./recorded_movers.ts";
 import { lastAt, type Run } from "./run.ts";
 
 const FRAMES_KEPT = 128;
@@ -146,7 +147,7 @@ function momentOf(frame: RecordedFrame, k: number, info: SceneInfo, goals: Goals
     decided: Uint8Array.from(robots, (i) => (parked.has(i) || k === 0 ? 0 : 1)),
     arrived: new Uint8Array(robots.length),
     clearance: Float32Array.from(robots, (i) => frame.clearance[i]!),
-    moving_obstacles: new Float64Array(0),
+    moving_obstacles: moversAt(info, frame.time),
   };
   moment.arrived = moment.arrived.map((_, i) => (distanceToGoal(moment, i) <= info.options.arrival_distance ? 1 : 0));
   if (moment.clearance.some(Number.isNaN)) fillClearance(moment, info);

@@ -8,6 +8,7 @@ import { inFront } from "../../../lab/page/map/picking.ts";
 import { shownOf } from "../../../lab/page/map/shown.ts";
 import { isHidden, solidOf, stageOf } from "../../../lab/page/map/stage.ts";
 import { besidePlane, cutBall, cutHalfSpace, cutOfNobody, cutOfPair, inPlane } from "../../../lab/page/inspector/cut.ts";
+import { moversAt } from "../../../lab/page/run/recorded_movers.ts";
 import { SPACE_SCENES } from "../../../lab/page/text/space_scenes.ts";
 import { randomNumbers } from "../data/native.mjs";
 import { library, steps } from "../wasm/module.mjs";
@@ -102,6 +103,18 @@ test("infinite boxes end at the bounds of the scene; all sides are drawn", () =>
   const { moment, info } = runOf(scene(["{position: [0, 0, 0], goal: [4, 0, 1]}"], "obstacles: [{floor: -6}]\n"));
   const stage = stageOf(moment, info);
   assert.deepEqual(stage.bounds, { min: [-0.5, -0.5, -6], max: [4.5, 0.5, 1.5] });
+});
+
+test("moving obstacles of a recording are where the simulation has them", () => {
+  const simulation = scene(["{position: [0, 0, 0], goal: [0, 0, 0]}"], `moving_obstacles:
+  - {position: [-12, 40, 0], velocity: [10, 0, 9], acceleration: [0, 0, -9.81], radius: 0.2}
+  - {trajectory: [[0.55, -40, 30, 2], [2.05, 40, 27, 2], [2.5, 40, 27, 5]], radius: 2}
+`);
+  const info = simulation.info();
+  const moments = Array.from({ length: 40 }, () => (simulation.step(), simulation.moment()));
+  for (const { time, moving_obstacles } of moments) near([...moversAt(info, time)], [...moving_obstacles]);
+  assert.ok(moments.some((moment) => moment.moving_obstacles[9] !== 0), "one of them is on its way");
+  assert.equal(moversAt({ moving_obstacles: [{ radius: 1 }] }, 1).length, 0, "of the plane");
 });
 
 test("clearances and contacts of recorded balls count the air below a ball", () => {

@@ -246,7 +246,12 @@ typedef struct avo_space_simulation_def {
   avo_certificate certificate;  ///< AVO_UNSET: usual
   int32_t max_neighbors;        ///< >= 1, nearest neighbors that get a half-space; 0: all
   bool navigation;              ///< robots follow routes around boxes
-  int32_t threads;              ///< 0 to 1024; 0: as many as the machine has
+  bool never_swerves;           ///< see avo_planner_def
+  uint64_t seed;                ///< of sensing
+  avo_sensing_model sensing;
+  /// that robots declare; both NAN: the error that follows from sensing
+  avo_sensing_error sensing_error;
+  int32_t threads;  ///< 0 to 1024; 0: as many as the machine has
   const avo_space_robot_def* robots;
   size_t robot_count;  ///< >= 1
   const avo_space_moving_obstacle_def* moving_obstacles;
