@@ -111,7 +111,8 @@ void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& b
   if (demand > grant * a_max * (duration + step_rounding) + kEpsilon * speeds) {
     judge::count(report.accelerations, {last_time, now.robot, {}, demand / duration - a_max});
   }
-  const double jump = norm((now.position - before.position) - (0.5 * duration) * sum);
+  const Vec2 way = judge::center_of(robot, now) - judge::center_of(robot, before);
+  const double jump = norm(way - (0.5 * duration) * sum);
   double within = 0.5 * (grant * any) * duration * (duration + 2.0 * step_rounding);
   if (robot.largest_jump && !skipped && std::isinf(any))
     within = 0.5 * norm(change) * (duration + 2.0 * step_rounding) + *robot.largest_jump;
