@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bodies of a fleet whose bases do not execute exactly. The fleet's columns are the references,
-// which move exactly as decided; each body follows its reference by commands, and no decision
-// depends on a body (docs/certificate/execution.md).
+// which move exactly as decided; each body follows its reference by commands. No decision depends
+// on a body, but for the heading of a drive (docs/certificate/execution.md).
 #pragma once
 #include <cstddef>
 #include <cstdint>
