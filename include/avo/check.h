@@ -96,8 +96,9 @@ struct CheckedRobot {
   /// m, >= 0: where max_acceleration is infinite, how far the positions of two rows may differ from
   /// what their velocities and the change between them explain. Unset: no jump is judged then.
   std::optional<double> largest_jump = {};
-  /// m, from the position of a car or a drive forward: the centers of its discs, each of `radius`.
-  /// At most 5; empty: the robot is one disc.
+  /// m, from the position of a robot with a heading forward: the centers of its discs, each of
+  /// `radius`. At most 5, and 1 of a holonomic robot, whose velocities are those of the disc.
+  /// Empty: the robot is one disc.
   std::vector<double> discs = {};
 };
 

@@ -43,8 +43,8 @@ struct NavigatorOptions {
   std::optional<double> route_tolerance = {};
   /// How the base executes commands; unset: exactly. If set, `robot` of step() is the measured
   /// body. The decision is about its reference, and NavigatorDecision::command is for the base
-  /// (docs/on_board.md, "Bases that do not execute exactly"). For holonomic robots, with held
-  /// motion.
+  /// (docs/on_board.md, "Bases that do not execute exactly"). For holonomic robots and differential
+  /// drives, with held motion.
   std::optional<ExecutionModel> execution = {};
 };
 
@@ -121,7 +121,7 @@ class AVO_API Navigator {
   /// One cycle: to be called every time_step, at the times at which all robots decide.
   /// preferred_velocity and distance_to_goal of `robot` are not read. Its limits may change from
   /// cycle to cycle. time: s, of any clock that does not go back. Where a value is out of range,
-  /// the plan says invalid_input, and the robot brakes. Throws Error on an airplane, and on wheels
+  /// the plan says invalid_input, and the robot brakes. Throws Error on an airplane, and on a car
   /// where NavigatorOptions::execution is set.
   NavigatorDecision step(const Robot& robot, std::span<const Neighbor> neighbors, double time);
 

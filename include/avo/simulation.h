@@ -133,7 +133,8 @@ class AVO_API Simulation {
   /// otherwise every later step throws Error.
   /// Robots of an external method first get their velocities from its function. Where there is
   /// none, where it throws, or where a velocity is not finite, the step throws and has moved
-  /// no robot.
+  /// no robot. Hosts with frames of any length, who look for step(dt): see can_step_by(), and
+  /// docs/manual/howto/host.md, "Time".
   void step();
 
   /// Sets the function behind the scene's external_method. A simulation that was made from saved

@@ -15,9 +15,10 @@ constexpr double kShortestStep = 1e-12;  // s
 
 constexpr std::size_t kMostDiscs = 5;
 
-bool may_have_discs(const CheckedKinematics& kinematics) {
-  return std::holds_alternative<CheckedCar>(kinematics) ||
-         std::holds_alternative<CheckedDrive>(kinematics);
+// A holonomic robot may have one: its positions may be those of a place beside its disc.
+bool may_have(std::size_t discs, const CheckedKinematics& kinematics) {
+  if (is_holonomic(kinematics)) return discs <= 1;
+  return discs == 0 || !std::holds_alternative<CheckedAirplane>(kinematics);
 }
 
 // Infinity: no limit.
@@ -59,7 +60,7 @@ void require_sound(const std::string& place, const CheckedRobot& robot) {
   if (robot.discs.size() > kMostDiscs)
     refuse(place + ".discs", std::to_string(robot.discs.size()),
            "at most " + std::to_string(kMostDiscs));
-  if (!robot.discs.empty() && !may_have_discs(robot.kinematics))
+  if (!may_have(robot.discs.size(), robot.kinematics))
     refuse(place + ".discs", std::to_string(robot.discs.size()), "none: it is no car and no drive");
   for (std::size_t k = 0; k < robot.discs.size(); ++k)
     require(place + ".discs." + std::to_string(k), robot.discs[k], kAnyValue, "m");
@@ -100,7 +101,7 @@ void require_sound(const CheckedRobot& robot, const CheckedState& row) {
   const bool has_heading = row.heading.has_value();
   if (good(row.position) && good(row.velocity) &&
       (!has_heading || good({row.heading->angle, row.heading->speed})) &&
-      (has_heading || is_holonomic(robot.kinematics) || !needs_heading(robot)))
+      (has_heading || !needs_heading(robot)))
     return;
   const std::string place = "robot " + std::to_string(row.robot);
   require(place + ": position", row.position, "m");

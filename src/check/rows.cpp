@@ -8,6 +8,7 @@
 #include "avo/error.h"
 #include "check/check_state.h"
 #include "check/counts.h"
+#include "check/course.h"
 #include "check/demand.h"
 #include "check/kinematics.h"
 #include "check/refuse.h"
@@ -60,7 +61,8 @@ void Check::State::judge_limits(const CheckedRobot& robot, const CheckedState& b
   if (demand > grant * a_max * (duration + step_rounding) + kEpsilon * speeds) {
     judge::count(report.accelerations, {last_time, now.robot, {}, demand / duration - a_max});
   }
-  const double jump = norm((now.position - before.position) - (0.5 * duration) * sum);
+  const Vec2 shift = judge::center_of(robot, now) - judge::center_of(robot, before);
+  const double jump = norm(shift - (0.5 * duration) * sum);
   double within = 0.5 * (grant * any) * duration * (duration + 2.0 * step_rounding);
   if (robot.largest_jump && !skipped && std::isinf(any))
     within = 0.5 * norm(change) * (duration + 2.0 * step_rounding) + *robot.largest_jump;

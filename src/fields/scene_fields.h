@@ -159,6 +159,8 @@ AVO_LOCAL inline constexpr auto kFields<ExecutionModel> = std::to_array<Field<Ex
      "coordinates of commands are whole multiples of it; 0: any"},
     {"velocity_error", &ExecutionModel::velocity_error, kOptional, kNotNegative, "m/s",
      "at most so far is the executed velocity off; drawn for each step"},
+    {"heading_age", &ExecutionModel::heading_age, kOptional, kNotNegative, "s",
+     "of differential drives: period of the wheels' controller, at least time_step/1000"},
     {"measured_position_error", &ExecutionModel::measured_position_error, kOptional, kNotNegative,
      "m", "at most so far off is where the base measures itself; drawn for each step"},
     {"measured_velocity_error", &ExecutionModel::measured_velocity_error, kOptional, kNotNegative,

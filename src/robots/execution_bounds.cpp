@@ -110,9 +110,15 @@ double error_by_wheels(const ExecutionModel& model, const DifferentialDrive& dri
          turning * (V * lag_error + aged) + T * wrong * (2.0 * V + wrong) / drive.offset;
 }
 
+// Of a drive, with the errors of its wheels.
+struct DriveBounds {
+  Bounds bounds;
+  double error;  // [e'] m/s, of the velocity
+};
+
 // e' grows with the bounds that it makes larger: the least solution, from below.
-ExecutionError bounds_of_drive(const ExecutionModel& model, const DifferentialDrive& drive,
-                               const ExecutionLimits& limits, double time_step) {
+DriveBounds bounds_of_drive(const ExecutionModel& model, const DifferentialDrive& drive,
+                            const ExecutionLimits& limits, double time_step) {
   double e = model.velocity_error;
   for (int round = 0; round < kMostIterations; ++round) {
     Bounds bounds = bounds_with(model, limits, time_step, noise_of(model, time_step), e);
@@ -122,7 +128,7 @@ ExecutionError bounds_of_drive(const ExecutionModel& model, const DifferentialDr
       const double k = 0.5 * drive.track / drive.offset, lag = model.time_constant;
       bounds.error.command =
           std::sqrt(1.0 + k * k) * (bounds.error.command + lag * V * V / drive.offset);
-      return bounds.error;
+      return {bounds, e};
     }
     if (needed > kLargest) break;
     e = (1.0 + kGrowth) * needed;
@@ -137,7 +143,7 @@ ExecutionError bounds_of_drive(const ExecutionModel& model, const DifferentialDr
 ExecutionError bounds_of(const ExecutionModel& model, const MotionModel& robot,
                          const ExecutionLimits& limits, double time_step) {
   if (const auto* drive = std::get_if<DifferentialDrive>(&robot))
-    return bounds_of_drive(model, *drive, limits, time_step);
+    return bounds_of_drive(model, *drive, limits, time_step).bounds.error;
   if (!is_holonomic(robot))
     throw Error(
         "ExecutionModel: found a car or an airplane, must be a holonomic robot or a "
@@ -147,9 +153,28 @@ ExecutionError bounds_of(const ExecutionModel& model, const MotionModel& robot,
       .error;
 }
 
+namespace {
+
+// The same as below, with the velocity error of the wheels.
+double off_cubic_of_drive(const ExecutionModel& model, const DifferentialDrive& drive,
+                          const ExecutionLimits& limits, double time_step) {
+  const DriveBounds of = bounds_of_drive(model, drive, limits, time_step);
+  const double Y = of.bounds.lag, c = limits.change;
+  const double lag = model.time_constant - model.time_constant_error;
+  if (lag > 0.0) return time_step * time_step * (c + 2.0 * Y / lag) / 16.0;
+  // without a lag q has the velocity of the command, and e'
+  const double variation = 2.0 * (2.0 * (Y + of.error) + c * time_step);
+  return time_step * (4.0 / 27.0 * variation + (0.5 + 8.0 / 27.0) * of.error);
+}
+
+}  // namespace
+
 // With e = 0 at both ends, |e(t)| is at most 1/16 of Δt² times the largest |e''|, and 4/27 of Δt
 // times the variation of the velocity.
-double off_cubic(const ExecutionModel& model, const ExecutionLimits& limits, double time_step) {
+double off_cubic(const ExecutionModel& model, const MotionModel& robot,
+                 const ExecutionLimits& limits, double time_step) {
+  if (const auto* drive = std::get_if<DifferentialDrive>(&robot))
+    return off_cubic_of_drive(model, *drive, limits, time_step);
   const double Y =
       bounds_with(model, limits, time_step, command_error(model, time_step), model.velocity_error)
           .lag;

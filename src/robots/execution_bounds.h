@@ -25,9 +25,10 @@ ExecutionError bounds_of(const ExecutionModel& model, const MotionModel& robot,
 void validate(const ExecutionModel& model, double time_step,
               const std::string& prefix = "ExecutionModel.");
 
-/// m: the largest distance of such a holonomic base from the cubic of its positions and velocities
-/// at two successive decisions.
-double off_cubic(const ExecutionModel& model, const ExecutionLimits& limits, double time_step);
+/// m: the largest distance of such a base from the cubic of its positions and velocities at two
+/// successive decisions. Of a drive both are those of the point ahead of its axle.
+double off_cubic(const ExecutionModel& model, const MotionModel& robot,
+                 const ExecutionLimits& limits, double time_step);
 
 /// [w_k] m/s, before it is rounded: leads a body that is measured so to the reference `after` the
 /// step. still_to_come: m, the effect of commands that do not act yet.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bodies of a fleet with bases that do not execute exactly. The fleet's columns are the
-// references, which move exactly as decided. Each body follows its reference by commands, and no
-// decision depends on a body (docs/certificate/execution.md).
+// references, which move exactly as decided. Each body follows its reference by commands. No
+// decision depends on a body, but for the heading of a drive (docs/certificate/execution.md).
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -21,13 +21,19 @@ struct World;
 struct Base {
   double radius = 0.0;      // m, of the body
   double added = 0.0;       // m, what its reference adds to that
-  Vec2 position, velocity;  // m, m/s
+  Vec2 position, velocity;  // m, m/s, of its disc
+  double heading = 0.0;     // rad, of a drive
+  double offset = 0.0;      // [ℓ] m, from a drive's axle to the center of its disc
   double lag = 0.0;         // [T'] s
   // A command acts whole_steps and `rest` (s, less than a step) after it is given.
   std::size_t whole_steps = 0;
   double rest = 0.0;
-  // 1 - e^(-t/T') of both parts of a step: until a command begins to act, and from then on
+  // 1 - e^(-t/T') of both parts of a step: until a command begins to act, and from then on. Of a
+  // drive: of a substep in each of them.
   double before = 1.0, after = 1.0;
+
+  /// m: its reported place.
+  Vec2 place() const;
 };
 
 /// By rank; none where bases execute exactly.
@@ -54,7 +60,7 @@ struct Bases {
   /// Adds a body at rest.
   void add(RobotId robot, const RobotSetup& body);
   void remove(std::size_t rank);
-  /// Puts the body down at rest.
+  /// Puts the body down at rest; position: of its disc.
   void put_down(std::size_t rank, Vec2 position);
 };
 
@@ -69,9 +75,13 @@ void move_bases(World& world);
 
 /// Throws Error where the scene cannot have bases that do not execute exactly.
 void check_execution(const Scenario& scenario);
-/// Throws Error on a robot of that method that such a scene cannot have; `name` is that of the
-/// robot, as in "robots.3.".
-void check_body(const RobotSetup& robot, Method method, const std::string& name);
+/// Throws Error on a robot whose base cannot be such; `name` is that of the robot, as in
+/// "robots.3.". time_step: s.
+void check_base(const ExecutionModel& model, double time_step, const RobotSetup& robot,
+                const std::string& name);
+/// The same, and on a robot of that method that such a scene cannot have.
+void check_body(const ExecutionModel& model, double time_step, const RobotSetup& robot,
+                Method method, const std::string& name);
 
 std::uint64_t hash_of(const Bases& bases, std::uint64_t hash);
 

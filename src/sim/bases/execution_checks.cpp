@@ -2,17 +2,48 @@
 // Which scenes may have bases that do not execute exactly.
 #include <cstddef>
 #include <string>
+#include <variant>
 
+#include "avo/error.h"
 #include "core/ranges.h"
+#include "core/retell.h"
 #include "robots/execution_bounds.h"
+#include "robots/footprint.h"
 #include "sim/bases/bases.h"
 #include "sim/scene/scene_checks.h"
 
 namespace avo::inline sim {
 
-void check_body(const RobotSetup& robot, Method method, const std::string& name) {
+namespace {
+
+constexpr double kMostCycles = 1000.0;  // of the wheels' controller, in a time step
+
+void check_drive(const ExecutionModel& model, double time_step, const RobotSetup& robot,
+                 const std::string& name) {
+  if (has_footprint(robot.model))
+    refuse(name + "footprint", "one", "left out in a scene with execution");
+  const double least = time_step / kMostCycles;
+  if (!(model.heading_age >= least))
+    refuse("execution.heading_age", text(model.heading_age),
+           ">= " + text(least) + " s with a differential drive: the period of its wheels");
+  retelling<Error>([&] { bounds_of(model, robot.model, limits_of(robot), time_step); },
+                   [&](const Error& error) { throw Error(name + "drive: " + error.what()); });
+}
+
+}  // namespace
+
+void check_base(const ExecutionModel& model, double time_step, const RobotSetup& robot,
+                const std::string& name) {
+  if (std::holds_alternative<DifferentialDrive>(robot.model))
+    return check_drive(model, time_step, robot, name);
   if (!is_holonomic(robot.model))
-    refuse(name + "model", "one that is not holonomic", "holonomic in a scene with execution");
+    refuse(name + "model", "another one",
+           "holonomic or differential_drive in a scene with execution");
+}
+
+void check_body(const ExecutionModel& model, double time_step, const RobotSetup& robot,
+                Method method, const std::string& name) {
+  check_base(model, time_step, robot, name);
   if (!(robot.velocity == Vec2{}))
     refuse(name + "velocity", text(robot.velocity),
            "[0, 0] in a scene with execution: bases start at rest");
@@ -33,8 +64,8 @@ void check_execution(const Scenario& scenario) {
     refuse("motion", to_string(scenario.motion), "held in a scene with execution");
   validate(*scenario.execution, scenario.time_step, "execution.");
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-    check_body(scenario.robots[i], method_of(scenario, scenario.robots[i]),
-               "robots." + std::to_string(i) + ".");
+    check_body(*scenario.execution, scenario.time_step, scenario.robots[i],
+               method_of(scenario, scenario.robots[i]), "robots." + std::to_string(i) + ".");
 }
 
 }  // namespace avo::inline sim

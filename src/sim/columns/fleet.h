@@ -186,7 +186,7 @@ struct Fleet {
   }
   /// m: the reported place, of the body.
   Vec2 body_place(std::size_t slot) const {
-    return bases.are_exact() ? place(slot) : base(slot).position;
+    return bases.are_exact() ? place(slot) : base(slot).place();
   }
   const Base& base(std::size_t slot) const {
     return bases.all[static_cast<std::size_t>(rank[slot])];

@@ -34,10 +34,10 @@ void FleetMirror::for_each_column(Columns wanted, const Action& action) {
 
 // Shows a robot's body in place of its reference.
 void FleetMirror::show_body(const Base& base, std::size_t rank, Columns wanted) {
-  if (includes(wanted, Columns::position)) position[rank] = base.position;
+  if (includes(wanted, Columns::position)) position[rank] = base.place();
   if (includes(wanted, Columns::velocity)) velocity[rank] = base.velocity;
   if (!includes(wanted, Columns::setup)) return;
-  setup[rank].position = base.position, setup[rank].velocity = base.velocity;
+  setup[rank].position = base.place(), setup[rank].velocity = base.velocity;
   setup[rank].radius = base.radius;
 }
 

@@ -85,7 +85,11 @@ void take_body(const World& world, std::size_t slot, const RobotSetup& now, Robo
     refuse(name + "parked", "a change", "the same in a scene with execution");
   RobotSetup at_rest = changed;
   at_rest.velocity = {};
-  check_body(at_rest, method_of(world.settings, changed), name);
+  const Bases& bases = world.fleet.bases;
+  check_body(*bases.model, bases.time_step, at_rest, method_of(world.settings, changed), name);
+  if (!is_holonomic(now.model) && changed.max_speed != now.max_speed)
+    refuse(name + "max_speed", text(changed.max_speed),
+           text(now.max_speed) + " m/s, for which the execution of its wheels is known");
   if (change_limit(changed) != change_limit(now))
     refuse(name + "the larger one of max_acceleration and max_braking", text(change_limit(changed)),
            text(change_limit(now)) + " m/s^2, for which its execution is known");

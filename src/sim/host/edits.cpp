@@ -102,7 +102,8 @@ RobotId add_reference(World& world, const RobotSetup& setup) {
 RobotId add_robot(World& world, const RobotSetup& setup) {
   Bases& bases = world.fleet.bases;
   if (bases.are_exact()) return add_reference(world, setup);
-  check_body(setup, method_of(world.settings, setup), name_of(RobotId{world.next_id}) + ": ");
+  check_body(*bases.model, bases.time_step, setup, method_of(world.settings, setup),
+             name_of(RobotId{world.next_id}) + ": ");
   bases.reserve_one();
   const RobotId robot = add_reference(world, bases.reference_of(setup));
   bases.add(robot, setup);
@@ -185,7 +186,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   if (Flight* own = fleet.flight(slot))
     *own = {*circle_of(setup.model, fleet.position[slot], fleet.velocity[slot])};
   if (fleet.has_clocks) start_clock(world, slot);
-  fleet.bases.put_down(rank, position);
+  fleet.bases.put_down(rank, disc_center(setup));
   world.senses.renew(rank, world.moment());
   world.senses.note(fleet, world.steps);
   world.changed = world.has_new_goals = true;

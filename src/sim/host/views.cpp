@@ -52,7 +52,7 @@ RobotState Simulation::robot(RobotId robot) const {
   const MotionState present = present_state(*state_, slot);
   const bool exact = fleet.bases.are_exact();
   return {.id = fleet.id[slot],
-          .position = exact ? fleet.place(slot, present) : fleet.base(slot).position,
+          .position = exact ? fleet.place(slot, present) : fleet.base(slot).place(),
           .velocity = exact ? present.velocity : fleet.base(slot).velocity,
           .heading = present.heading,
           .goal = fleet.goal[slot],
@@ -66,7 +66,7 @@ RobotSetup Simulation::setup(RobotId robot) const {
   RobotSetup setup = state_->fleet.setup(slot, present_state(*state_, slot));
   if (state_->fleet.bases.are_exact()) return setup;
   const Base& base = state_->fleet.base(slot);
-  setup.position = base.position, setup.velocity = base.velocity, setup.radius = base.radius;
+  setup.position = base.place(), setup.velocity = base.velocity, setup.radius = base.radius;
   return setup;
 }
 

@@ -72,15 +72,19 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
 
 namespace {
 
-// Where it is judged, a body may be faster than its reference, and no acceleration is promised.
+// Where it is judged, a body may be faster than its reference, and no acceleration is promised. Of
+// a drive the disc about the point ahead of its axle is judged, which covers it at any heading.
 void judge_body(const Scenario& scenario, const RobotSetup& setup, CheckedRobot& robot) {
   const ExecutionModel& model = *scenario.execution;
   const ExecutionLimits limits = limits_of(setup);
   robot.max_speed += bounds_of(model, setup.model, limits, scenario.time_step).velocity;
   robot.max_acceleration = std::numeric_limits<double>::infinity();
   robot.max_braking.reset();
-  robot.interpolation_error = off_cubic(model, limits, scenario.time_step);
+  robot.interpolation_error = off_cubic(model, setup.model, limits, scenario.time_step);
   robot.largest_jump = 4.0 * robot.interpolation_error;
+  if (const auto* drive = std::get_if<DifferentialDrive>(&setup.model))
+    robot.kinematics = CheckedHolonomic{}, robot.radius = disc_radius(setup),
+    robot.discs = {drive->offset};
 }
 
 // Exponential motion, Eqs. (8), (9), has |x''''| <= most/δ², and a cubic through positions and
@@ -99,8 +103,8 @@ CheckedRobot checked_robot(const Scenario& scenario, const RobotSetup& setup) {
     robot.straight = adopts_at_once(method_of(scenario, setup));
     if (scenario.motion != Motion::held && !robot.straight)
       robot.interpolation_error = off_cubic_of_response(scenario, setup);
-    if (scenario.execution) judge_body(scenario, setup, robot);
   }
+  if (scenario.execution) judge_body(scenario, setup, robot);
   if (scenario.clock == Clock::free && !robot.parked && !robot.straight)
     robot.time_step = time_step_of(scenario, setup);
   return robot;

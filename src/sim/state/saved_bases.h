@@ -39,8 +39,11 @@ inline Bases bodies_of(const SavedState& state, const ExecutionModel& model,
   validate(model, scene.time_step, "saved state: execution.");
   Bases bases(scene);
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
+    RobotSetup robot = state.scene.robots[k];
+    robot.heading = state.robots[k].heading;
+    check_base(model, scene.time_step, robot, "saved state: robots." + std::to_string(k) + ".");
     bases.reserve_one();
-    bases.add(state.robots[k].id, state.scene.robots[k]);
+    bases.add(state.robots[k].id, robot);
   }
   return bases;
 }

@@ -46,6 +46,34 @@ Scenario crush(const ExecutionModel& model, std::uint64_t seed) {
   return scene;
 }
 
+// The wheels of drives; with and without a lag.
+constexpr ExecutionModel kWheels{.time_constant = 0.08,
+                                 .time_constant_error = 0.002,
+                                 .dead_time = 0.06,
+                                 .dead_time_error = 0.001,
+                                 .deadband = 0.02,
+                                 .quantum = 0.01,
+                                 .velocity_error = 0.005,
+                                 .heading_age = 0.01,
+                                 .measured_velocity_error = 0.001};
+constexpr ExecutionModel kHardWheels{
+    .dead_time = 0.05, .deadband = 0.05, .quantum = 0.02, .heading_age = 0.02};
+
+// The same of drives, two thirds of all.
+Scenario crush_of_drives(const ExecutionModel& model, std::uint64_t seed) {
+  Scenario scene = crush(model, seed);
+  scene.duration = 40.0;
+  for (std::size_t k = 0; k < scene.robots.size(); ++k) {
+    RobotSetup& robot = scene.robots[k];
+    robot.max_speed = robot.preferred_speed = 0.4, robot.max_acceleration = 0.5;
+    if (k % 3 == 0) continue;
+    robot.radius = 0.3, robot.heading = 0.3 * static_cast<double>(k);
+    robot.model = DifferentialDrive{
+        .track = 0.4, .offset = 0.2, .wheel_speed = 1.5, .wheel_acceleration = 3.0};
+  }
+  return scene;
+}
+
 CheckReport judged(const Scenario& scene) {
   std::vector<CheckedRobot> robots;
   for (const RobotSetup& robot : scene.robots) robots.push_back(checked_robot(scene, robot));
@@ -90,6 +118,74 @@ TEST(ExecutionRuns, bodies_touch_where_no_error_is_declared) {
     EXPECT_GT(report.overlaps.count + report.static_contacts.count, 0);
     EXPECT_LT(*report.least_clearance, -0.002);
   }
+}
+
+TEST(ExecutionRuns, drives_touch_neither_each_other_nor_a_wall) {
+  for (const ExecutionModel& model : {kWheels, kHardWheels}) {
+    for (const std::uint64_t seed : {1, 2}) {
+      SCOPED_TRACE(seed);
+      const CheckReport report = judged(crush_of_drives(model, seed));
+      EXPECT_TRUE(report.safe());
+      EXPECT_EQ(report.overlaps.count, 0) << "by " << report.overlaps.worst;
+      EXPECT_EQ(report.static_contacts.count, 0) << "by " << report.static_contacts.worst;
+      EXPECT_EQ(report.jumps.count, 0) << "by " << report.jumps.worst;
+      EXPECT_GE(*report.least_clearance, 0.0);
+    }
+  }
+}
+
+TEST(ExecutionRuns, drives_touch_where_no_error_is_declared) {
+  Scenario scene = crush_of_drives(kHardWheels, 1);
+  scene.execution_error = 0.0;
+  EXPECT_LT(*judged(scene).least_clearance, -0.001);
+}
+
+TEST(ExecutionRuns, drives_stay_within_their_bounds_and_save_their_headings) {
+  const Scenario scene = crush_of_drives(kWheels, 3);
+  Simulation bodies(scene, 1);
+  const double most =
+      execution_error(kWheels,
+                      {.max_acceleration = 0.5, .max_speed = 0.4, .model = scene.robots[1].model},
+                      scene.time_step)
+          .position;
+  double farthest = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    bodies.step();
+    for (const std::size_t robot : {1U, 2U, 4U}) {
+      const RobotSetup body = bodies.setup({robot});
+      const Vec2 reference = bodies.perceive({robot}).robot.position;
+      farthest = std::max(farthest, norm(disc_center(body) - reference));
+    }
+  }
+  EXPECT_LE(farthest, most);
+  EXPECT_GT(farthest, 0.1 * most);
+  Simulation other(bodies.save(), 1);
+  for (int k = 0; k < 20; ++k) bodies.step(), other.step();
+  EXPECT_EQ(bodies.state_hash(), other.state_hash());
+  EXPECT_EQ(bodies.robot({4}).heading, other.robot({4}).heading);
+  EXPECT_EQ(bodies.robot({4}).position, bodies.fleet().position[4]);
+}
+
+TEST(ExecutionRuns, drives_are_refused_what_has_no_bound) {
+  const Scenario sound = crush_of_drives(kWheels, 1);
+  EXPECT_EQ(refusal(sound), "");
+  Scenario scene = sound;
+  scene.execution->heading_age = 0.0;
+  EXPECT_EQ(refusal(scene),
+            "execution.heading_age: found 0, must be >= 1e-04 s with a differential drive: the "
+            "period of its wheels");
+  scene.execution->heading_age = 0.3;
+  EXPECT_EQ(refusal(scene).find("robots.1.drive: ExecutionModel: found no bound"), 0U);
+  scene = sound;
+  std::get<DifferentialDrive>(scene.robots[1].model).footprint = {
+      .discs = 2, .radius = 0.3, .first = -0.2, .spacing = 0.4};
+  EXPECT_EQ(refusal(scene).find("robots.1.footprint: found one"), 0U) << refusal(scene);
+  Simulation simulation(sound, 1);
+  RobotSetup slower = simulation.setup({1});
+  slower.max_speed = slower.preferred_speed = 0.3;
+  EXPECT_THROW(simulation.change_robot({1}, slower), Error);
+  EXPECT_NO_THROW(simulation.move_robot({1}, {0.0, 20.0}));
+  EXPECT_EQ(simulation.robot({1}).position, (Vec2{0.0, 20.0}));
 }
 
 // The greatest distances of a body from its reference, as its commands say where that is.
@@ -144,8 +240,8 @@ TEST(ExecutionRuns, refuse_what_has_no_bound) {
   Scenario scene = sound;
   scene.robots[2].model = Car{};
   EXPECT_EQ(refusal(scene),
-            "robots.2.model: found one that is not holonomic, must be holonomic in "
-            "a scene with execution");
+            "robots.2.model: found another one, must be holonomic or differential_drive in a scene "
+            "with execution");
   scene = sound, scene.robots[3].velocity = {1.0, 0.0};
   EXPECT_EQ(refusal(scene),
             "robots.3.velocity: found [1, 0], must be [0, 0] in a scene with "
