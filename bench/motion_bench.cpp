@@ -106,7 +106,7 @@ void ways_of_tile(benchmark::State& state) {
   const Planner planner({});
   const StepResponse step = step_response(planner);
   run_tiles(state, planner, [&](MovedTile& tile) {
-    choose_ways(step, tile.moving, tile.robots);
+    choose_preferred(step, tile.moving, tile.robots);
     return tile.robots.preferred_x[0];
   });
 }

@@ -63,7 +63,7 @@ static avo_space_simulation_id make_fleet(bool senses_late) {
 }
 
 static void decisions_are_told_as_in_cpp(void) {
-  avo_space_simulation_id fleet = make_fleet();
+  avo_space_simulation_id fleet = make_fleet(false);
   char words[512], expected[512];
   size_t size = 0;
   for (int k = 0; k < 50; ++k) REQUIRE(avo_space_simulation_step(fleet));
