@@ -24,7 +24,7 @@ double traffic_range(const Robot& robot);
 
 /// A unit axis across the course, about which a robot turns to its right: up as seen along the
 /// course, and where the course is steep, ahead along x.
-Vec3 axis_across(Vec3 way);
+Vec3 axis_across(Vec3 heading);
 
 /// a turned by an angle in [0, π) rad, clockwise as seen from the tip of a unit axis.
 Vec3 turned_right(Vec3 a, Vec3 axis, double angle);

@@ -184,10 +184,10 @@ std::optional<HalfSpace> cut_of(const Robot& robot, const TooNear& worst, Vec3 n
 
 NearestToBox nearest(Vec3 a, Vec3 b, const Box& box) {
   const BoxFrame frame(box);
-  const Vec3 from = frame.in(a), way = frame.in(b)-from;
+  const Vec3 from = frame.in(a), along = frame.in(b)-from;
   NearestToBox result;
-  result.part = nearest_part(numbers(from), numbers(way), box);
-  const Vec3 on_segment = from + result.part * way;
+  result.part = nearest_part(numbers(from), numbers(along), box);
+  const Vec3 on_segment = from + result.part * along;
   const Vec3 on_box{std::clamp(on_segment.x, box.min.x, box.max.x),
                     std::clamp(on_segment.y, box.min.y, box.max.y),
                     std::clamp(on_segment.z, box.min.z, box.max.z)};

@@ -102,11 +102,12 @@ Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspa
   append_climb(robot, cuts);
   const SpaceProgramResult farthest = nearest_point(cuts, balls, own_wanted, workspace.program);
   if (farthest.state == SpaceProgramState::balls_disjoint) return choice;
-  const Vec3 own_backup = to_own(backup, robot.vertical), way = farthest.point - own_backup;
+  const Vec3 own_backup = to_own(backup, robot.vertical), to_farthest = farthest.point - own_backup;
   double admitted = 0.0, refused = 1.0;
   for (int i = 0; i < kCutBisections; ++i) {
     const double part = 0.5 * (admitted + refused);
-    const Vec3 candidate = from_own(within(limits, own_backup + part * way), robot.vertical);
+    const Vec3 candidate =
+        from_own(within(limits, own_backup + part * to_farthest), robot.vertical);
     if (keeps_climb(robot, candidate) &&
         admits(robot, candidate, law, Asked::until_refused, constraints)) {
       admitted = part;

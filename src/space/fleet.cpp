@@ -37,7 +37,7 @@ SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
   movers.move_to(steps, scenario.moving_obstacles, scenario.time_step);
   for (std::size_t m = 0; m < movers.now.size(); ++m) movers.begin(m);
   bodies.reserve(robots.size());
-  ways = SpaceWays(scene.boxes, robots, goals(), scene.navigation);
+  routes = SpaceRoutes(scene.boxes, robots, goals(), scene.navigation);
 }
 
 std::vector<Vec3> SpaceFleet::goals() const {
@@ -102,20 +102,20 @@ void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
 
 void SpaceFleet::head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker) {
   worker.neighbors.clear();
-  for (const Run& run : !ways.passages().empty() ? around.runs : std::span<const Run>()) {
+  for (const Run& run : !routes.passages().empty() ? around.runs : std::span<const Run>()) {
     for (std::size_t place = run.first; place < run.last; ++place) {
       const Neighbor other = around.bodies.neighbor(place);
       if (static_cast<double>(place) != around.self && is_in_range(other.position, k))
         worker.neighbors.push_back(other);
     }
   }
-  head_for_goal(k, worker.neighbors, robots[k], ways.memory(k), worker.ways);
+  head_for_goal(k, worker.neighbors, robots[k], routes.memory(k), worker.routes);
 }
 
 Guide SpaceFleet::head_for_goal(std::size_t k, std::span<const Neighbor> company, Robot& robot,
-                                SpaceRoute& route, WayScratch& scratch) const {
-  const SpaceHeading heading = ways.heading(k, robot, trips[k].goal, trips[k].preferred_speed,
-                                            view_of(k, company), route, scratch);
+                                SpaceRoute& route, HeadingScratch& scratch) const {
+  const SpaceHeading heading = routes.heading(k, robot, trips[k].goal, trips[k].preferred_speed,
+                                              view_of(k, company), route, scratch);
   robot.distance_to_goal = heading.left;
   robot.preferred_velocity = preferred_velocity(robot, heading.goal, heading.speed, landing);
   return heading.guide;
@@ -151,9 +151,9 @@ void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
 }
 
 void SpaceFleet::find_routes() {
-  if (!ways.has_boxes()) return;
+  if (!routes.has_boxes()) return;
   for_all([&](std::size_t k, SpaceWorker& worker) {
-    ways.look(k, robots[k], trips[k].goal, worker.ways);
+    routes.look(k, robots[k], trips[k].goal, worker.routes);
   });
 }
 
@@ -169,7 +169,7 @@ void SpaceFleet::move() {
 void SpaceFleet::begin_step() {
   sort();
   senses.note(robots, movers.now, steps);
-  ways.begin_step(robots);
+  routes.begin_step(robots);
 }
 
 void SpaceFleet::step() {

@@ -18,7 +18,7 @@
 #include "space/decide.h"
 #include "space/goals.h"
 #include "space/mover_columns.h"
-#include "space/routes/ways.h"
+#include "space/routes/routes.h"
 #include "space/senses.h"
 #include "space/workspace.h"
 
@@ -31,7 +31,7 @@ struct AVO_LOCAL SpaceWorker {
   std::vector<Box> boxes;
   std::vector<Mover> movers;
   std::vector<std::int32_t> box_number, mover_number;  // in the scene; the value of its id
-  WayScratch ways;
+  HeadingScratch routes;
   std::vector<Neighbor> neighbors;
 };
 
@@ -61,7 +61,7 @@ struct AVO_LOCAL SpaceFleet {
   std::vector<Detour> detours;
   std::vector<Plan> plans;
   std::vector<Trip> trips;
-  SpaceWays ways;
+  SpaceRoutes routes;
   std::vector<SpaceWorker> workers;
   std::int64_t steps = 0;
 
@@ -92,7 +92,7 @@ struct AVO_LOCAL SpaceFleet {
   }
   /// Sets the preferred velocity of a robot with the state of robot k. Returns what guides it.
   Guide head_for_goal(std::size_t k, std::span<const Neighbor> company, Robot& robot,
-                      SpaceRoute& route, WayScratch& scratch) const;
+                      SpaceRoute& route, HeadingScratch& scratch) const;
   /// Decides for the robot at that place in the order of the cells.
   void decide(std::size_t at, SpaceWorker& worker);
   /// Calls visit(k, worker) for all k below the number of robots, in parallel where they are many.

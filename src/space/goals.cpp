@@ -13,11 +13,11 @@ using Number = scalar::Pack<double>;
 
 Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
                         const Landing& landing) {
-  const Vec3 way = goal - robot.position;
-  const double distance = norm(way);
+  const Vec3 to_goal = goal - robot.position;
+  const double distance = norm(to_goal);
   // nearer than rounding can tell counts as there
   if (!(distance > 0x1p-46 * (norm(robot.position) + norm(goal)))) return {};
-  const Vec3 direction = way / distance;
+  const Vec3 direction = to_goal / distance;
   const ResponseLaw& law = landing.law;
   // along the route a robot brakes with b/ν, and is as fast as v_max/ν
   const double per_own = 1.0 / own_length(direction, robot.vertical);

@@ -83,7 +83,7 @@ AVO_KERNEL Real traffic_of(const PackLook<Real>& a, const PackSeen<Real>& seen,
                            const PackBody<Real>& body, Real speed) {
   const Real zero(0.0), one(1.0), two(2.0), whole(0x1.8p12), distance = sqrt(seen.squared);
   const Real per_distance = one / select(distance > zero, distance, one);
-  const Real in_front = -dot(seen.p, a.way) * per_distance * a.per_front;
+  const Real in_front = -dot(seen.p, a.preferred) * per_distance * a.per_front;
   const Real closes = one - dot(seen.p, seen.v) * per_distance * a.per_closing;
   const Real rests = two - speed * a.per_slow;
   // the miss distance, in contact distances, where both keep their velocities
@@ -202,7 +202,7 @@ template <typename Real, bool kUniform>
 AVO_KERNEL void judge_all(const space::Viewer& look, const space::Bodies& bodies,
                           space::Looked& looked) {
   const PackLook<Real> a(look, bodies);
-  const bool has_way = !(look.robot.preferred_velocity == Vec3{});
+  const bool has_preferred = !(look.robot.preferred_velocity == Vec3{});
   const Real traffic_squared = square(Real(kFarther) * a.traffic_range);
   Real ahead(0.0);
   for_all<Real, kUniform>(
@@ -217,9 +217,9 @@ AVO_KERNEL void judge_all(const space::Viewer& look, const space::Bodies& bodies
         const Real beside = Real(kFarther) * (Real(1.0 + kRoom) * body.contact + body.wash);
         const auto is_beside = seen.counted & (seen.squared < square(Real(kFarther) * beside));
         if (any(is_beside)) push(seen.place, bits(is_beside), looked.beside);
-        const auto may_count =
-            seen.counted & (seen.squared < traffic_squared) & (dot(seen.p, a.way) < Real(0.0));
-        if (has_way && any(may_count))
+        const auto may_count = seen.counted & (seen.squared < traffic_squared) &
+                               (dot(seen.p, a.preferred) < Real(0.0));
+        if (has_preferred && any(may_count))
           ahead =
               ahead + select(may_count, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
       });

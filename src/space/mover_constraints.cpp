@@ -14,17 +14,17 @@ namespace {
 using Real = scalar::Pack<double>;
 
 // m: the largest distance that the moving obstacle may move while A may move.
-double way_of(const Mover& mover, double time) {
-  const double way = time * norm(mover.velocity) + 0.5 * time * time * norm(mover.acceleration);
-  if (!(mover.max_deviation > 0.0)) return way;
-  return std::min(way + 0.5 * time * time * mover.max_deviation, time * mover.max_speed);
+double length_of_mover(const Mover& mover, double time) {
+  const double length = time * norm(mover.velocity) + 0.5 * time * time * norm(mover.acceleration);
+  if (!(mover.max_deviation > 0.0)) return length;
+  return std::min(length + 0.5 * time * time * mover.max_deviation, time * mover.max_speed);
 }
 
 double one_norm(Vec3 a) {
   return std::abs(a.x) + std::abs(a.y) + std::abs(a.z);
 }
 
-BrakingPair pair_of(const Robot& robot, const Mover& mover, const Braking& own, double way,
+BrakingPair pair_of(const Robot& robot, const Mover& mover, const Braking& own, double length,
                     const StepLaw& law) {
   BrakingPair pair{};
   pair.p = robot.position - mover.position;
@@ -32,7 +32,7 @@ BrakingPair pair_of(const Robot& robot, const Mover& mover, const Braking& own, 
   pair.share = 1.0;
   pair.a = own;
   const double lengths =
-      pair.contact + own.reach + one_norm(robot.position) + one_norm(mover.position) + way;
+      pair.contact + own.reach + one_norm(robot.position) + one_norm(mover.position) + length;
   pair.inflated =
       pair.contact + scalar::rounding_margin<Real, 3>(lengths, own.intervals, 1.0).value;
   pair.error = error_at(law, law.time_step * own.intervals);
@@ -115,12 +115,12 @@ void begin_movers(const Robot& robot, std::span<const Mover> movers, const Braki
     const Mover& mover = movers[k];
     StepLaw pair_law = law;
     pair_law.sensing_error = error_against(mover, law);
-    const double way = way_of(mover, law.time_step * own.intervals);
-    const BrakingPair pair = pair_of(robot, mover, own, way, pair_law);
+    const double length = length_of_mover(mover, law.time_step * own.intervals);
+    const BrakingPair pair = pair_of(robot, mover, own, length, pair_law);
     const double apart = norm(pair.p);
     if (apart < pair.contact + pair_law.sensing_error.position)
       constraints.invariant.touched = true;
-    if (apart - (own.reach + way) > pair.inflated + pair.error) continue;
+    if (apart - (own.reach + length) > pair.inflated + pair.error) continue;
     collect(pair, mover, static_cast<int>(k), shape, pair_law, constraints);
   }
 }

@@ -52,13 +52,13 @@ Simulation::Perception SpaceFleet::perceive(std::size_t k) {
       places.push_back(place);
     list_neighbors(worker.scratch.bodies, places, seen);
   }
-  SpaceRoute route = ways.memory(k);
+  SpaceRoute route = routes.memory(k);
   const double yielded = route.yielded;
   const PassageView company = view_of(k, seen.neighbors);
-  seen.guide = head_for_goal(k, seen.neighbors, seen.robot, route, worker.ways);
+  seen.guide = head_for_goal(k, seen.neighbors, seen.robot, route, worker.routes);
   if (seen.guide != Guide::passage) return seen;
   route.yielded = yielded;
-  if (const auto wait = ways.wait(k, seen.robot, company, route, worker.ways))
+  if (const auto wait = routes.wait(k, seen.robot, company, route, worker.routes))
     seen.wait = {wait->passage,
                  wait->is_claim ? RobotId{wait->robot} : seen.neighbor_ids[wait->robot],
                  wait->inside};

@@ -136,9 +136,10 @@ double sensing_range(const Robot& robot, const Mover& mover, const PlannerOption
   const StepLaw law = checked_law(options);
   const double steps = 3.0 + robot.max_speed / (braking_limit(robot) * law.braking_time);
   const double t = law.time_step * steps;
-  const double way =
+  const double length =
       t * norm(mover.velocity) + 0.5 * t * t * (norm(mover.acceleration) + mover.max_deviation);
-  return (1.0 + 1e-9) * (reach_of(robot, law) + mover.radius + std::min(way, t * mover.max_speed)) +
+  return (1.0 + 1e-9) *
+             (reach_of(robot, law) + mover.radius + std::min(length, t * mover.max_speed)) +
          options.sensing_error.position + t * options.sensing_error.velocity;
 }
 

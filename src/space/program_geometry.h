@@ -65,9 +65,9 @@ Point<K> best_of(const Sphere<K>& ball, const Objective<K>& objective) {
     const double length = norm(objective.direction);
     return moved(ball.center, ball.radius / length, objective.direction);
   }
-  const Point<K> way = moved(objective.wish, -1.0, ball.center);
-  const double length = norm(way);
-  return length <= ball.radius ? objective.wish : moved(ball.center, ball.radius / length, way);
+  const Point<K> to_wish = moved(objective.wish, -1.0, ball.center);
+  const double length = norm(to_wish);
+  return length <= ball.radius ? objective.wish : moved(ball.center, ball.radius / length, to_wish);
 }
 
 // The best point of the sphere in which both spheres meet.

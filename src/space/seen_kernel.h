@@ -62,7 +62,7 @@ void find_seen(const space::Viewer& look, const space::Bodies& bodies,
 /// The values of a look in all lanes.
 template <typename Real>
 struct PackLook {
-  Vec<Real, 3> position, velocity, direction, way;
+  Vec<Real, 3> position, velocity, direction, preferred;
   Real radius, acceleration, braking, priority, downwash;
   Real reach, full_steps, intervals, lengths;  // lengths: see rounding_margin()
   Real most_ahead, most_aside;
@@ -73,7 +73,7 @@ struct PackLook {
       : position(constant<Real>(look.robot.position)),
         velocity(constant<Real>(look.robot.velocity)),
         direction(constant<Real>(look.braking.direction)),
-        way(constant<Real>(look.robot.preferred_velocity)),
+        preferred(constant<Real>(look.robot.preferred_velocity)),
         radius(look.robot.radius),
         acceleration(look.robot.max_acceleration),
         braking(look.robot.max_braking.value_or(look.robot.max_acceleration)),

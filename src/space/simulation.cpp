@@ -80,7 +80,7 @@ bool Simulation::is_at_goal(RobotId robot) const {
   const std::size_t k = state_->find(robot);
   const Vec3 position = state_->robots[k].position, to = goal(robot);
   return norm(to - position) <= state_->scenario.arrival_distance &&
-         !state_->ways.is_behind_box(k, position, to);
+         !state_->routes.is_behind_box(k, position, to);
 }
 
 bool Simulation::all_at_goal() const {
@@ -96,7 +96,7 @@ bool Simulation::can_step_by(double time) const {
 Simulation::Route Simulation::route(RobotId robot) const {
   const std::size_t k = state_->find(robot);
   const Vec3 position = state_->robots[k].position, to = goal(robot);
-  const SpaceRoute* known = state_->ways.route(k);
+  const SpaceRoute* known = state_->routes.route(k);
   if (known == nullptr || known->points.empty()) return {norm(to - position), to, 0.0};
   Route rest{route_length(position, known->points), known->points.front().place, known->left};
   if (!known->reaches) rest.length = std::numeric_limits<double>::infinity();
@@ -106,7 +106,7 @@ Simulation::Route Simulation::route(RobotId robot) const {
 std::vector<RobotId> Simulation::unreachable() const {
   std::vector<RobotId> found;
   for (std::size_t k = 0; k < size(); ++k) {
-    const SpaceRoute* known = state_->ways.route(k);
+    const SpaceRoute* known = state_->routes.route(k);
     if (known != nullptr && !known->reaches) found.push_back({k});
   }
   return found;
@@ -133,8 +133,8 @@ void Simulation::set_goal(RobotId robot, Vec3 goal) {
   Vec3& own = state_->scenario.robots[k].goal;
   if (own == goal) return;
   own = state_->trips[k].goal = goal;
-  state_->ways.include(goal);
-  state_->ways.look(k, state_->robots[k], goal, state_->workers.front().ways);
+  state_->routes.include(goal);
+  state_->routes.look(k, state_->robots[k], goal, state_->workers.front().routes);
   Detour& detour = state_->detours[k];
   detour = {.congestion = detour.congestion, .acceleration = detour.acceleration};
 }
@@ -161,7 +161,7 @@ void Simulation::set_boxes(std::span<const Box> given) {
   }
   state_->scenario.boxes = std::move(boxes);
   state_->scenario.obstacle_of_box.clear();
-  state_->ways.set_boxes(state_->scenario.boxes, state_->robots, state_->goals());
+  state_->routes.set_boxes(state_->scenario.boxes, state_->robots, state_->goals());
   state_->find_routes();
 }
 

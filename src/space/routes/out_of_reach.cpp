@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "avo/space/reachability.h"
-#include "space/routes/ways.h"
+#include "space/routes/routes.h"
 
 namespace avo::space {
 
@@ -13,11 +13,11 @@ std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
     robots.push_back(robot_of(setup));
     goals.push_back(setup.goal);
   }
-  SpaceWays ways(scenario.boxes, robots, goals, true);
-  WayScratch scratch;
+  SpaceRoutes routes(scenario.boxes, robots, goals, true);
+  HeadingScratch scratch;
   for (std::size_t k = 0; k < robots.size(); ++k) {
-    ways.look(k, robots[k], goals[k], scratch);
-    const SpaceRoute* route = ways.route(k);
+    routes.look(k, robots[k], goals[k], scratch);
+    const SpaceRoute* route = routes.route(k);
     if (route == nullptr || route->reaches || route->points.empty()) continue;
     found.push_back({{k}, route->points.back().place, route->left, route->is_in_box});
   }

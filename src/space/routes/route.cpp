@@ -44,11 +44,11 @@ struct RouteLeg {
 // The farthest place of the leg that the robot sees, if it sees the place at that part.
 std::optional<SpaceRoutePoint> farthest_seen(const Solids& solids, const SpaceRoutePoint& start,
                                              const RouteLeg& leg, double seen) {
-  if (!is_way(solids, start, leg.at(seen))) return std::nullopt;
+  if (!is_free_between(solids, start, leg.at(seen))) return std::nullopt;
   double hidden = 1.0;
   for (int k = 0; k < kBisections; ++k) {
     const double part = 0.5 * (seen + hidden);
-    (is_way(solids, start, leg.at(part)) ? seen : hidden) = part;
+    (is_free_between(solids, start, leg.at(part)) ? seen : hidden) = part;
   }
   return leg.at(seen);
 }
@@ -74,7 +74,7 @@ double speed_before_turns(const Robot& robot, const std::vector<SpaceRoutePoint>
 std::size_t seen_from(const Solids& solids, const SpaceRoutePoint& start,
                       const std::vector<SpaceRoutePoint>& points) {
   std::size_t seen = 0;
-  while (seen + 1 < points.size() && is_way(solids, start, points[seen + 1])) ++seen;
+  while (seen + 1 < points.size() && is_free_between(solids, start, points[seen + 1])) ++seen;
   return seen;
 }
 
@@ -99,10 +99,10 @@ void put_first(SpaceRoute& route, const SpaceRoutePoint& point) {
 // Heads for the leg that the robot is beside, behind the last bend, where it sees that leg.
 bool returns_to_leg(const Solids& solids, const SpaceRoutePoint& start, SpaceRoute& route) {
   const RouteLeg leg{route.passed.back(), route.points[route.is_moved ? 1 : 0]};
-  const Vec3 way = leg.to.place - leg.from.place;
-  const double squared = norm_squared(way);
+  const Vec3 line = leg.to.place - leg.from.place;
+  const double squared = norm_squared(line);
   if (!(squared > 0.0)) return false;
-  const double beside = std::clamp(dot(start.place - leg.from.place, way) / squared, 0.0, 1.0);
+  const double beside = std::clamp(dot(start.place - leg.from.place, line) / squared, 0.0, 1.0);
   const auto next = farthest_seen(solids, start, leg, beside);
   if (!next) return false;
   put_first(route, *next);
@@ -123,7 +123,7 @@ bool returns(const Solids& solids, const SpaceRoutePoint& start, double radius, 
     if (returns_to_leg(solids, start, route)) return true;
     go_back(route);
     const SpaceRoutePoint& bend = route.points.front();
-    if (norm(bend.place - start.place) < kReturns * radius && is_way(solids, start, bend))
+    if (norm(bend.place - start.place) < kReturns * radius && is_free_between(solids, start, bend))
       return true;
   }
   return false;
@@ -149,7 +149,8 @@ bool advance(const Solids& solids, Vec3 position, double radius, SpaceRoute& rou
   };
   const bool moves = is_within(kSlidesWithin) && moves_on(solids, start, route);
   if (!moves && is_within(kAtBend) && !moves_on(solids, nearer, route)) return false;
-  return is_way(solids, nearer, route.points.front()) || returns(solids, nearer, radius, route);
+  return is_free_between(solids, nearer, route.points.front()) ||
+         returns(solids, nearer, radius, route);
 }
 
 SpaceHeading heading_on(const Robot& robot, double preferred_speed, const SpaceRoute& route) {
@@ -157,10 +158,10 @@ SpaceHeading heading_on(const Robot& robot, double preferred_speed, const SpaceR
   const std::vector<SpaceRoutePoint>& points = route.points;
   SpaceHeading heading{points.back().place, preferred_speed, route_length(position, points)};
   if (points.size() == 1) return heading;
-  const Vec3 way = points.front().place - position;
-  const double distance = norm(way);
+  const Vec3 line = points.front().place - position;
+  const double distance = norm(line);
   if (!(distance > 0.0)) return heading;
-  heading.goal = position + (heading.left / distance) * way;
+  heading.goal = position + (heading.left / distance) * line;
   heading.speed = std::min(preferred_speed, speed_before_turns(robot, points));
   return heading;
 }

@@ -89,7 +89,7 @@ class RouteSearch {
   // A point that does not see the point before it takes the best of its settled neighbors.
   void settle(std::uint32_t point) {
     RouteScratch::Reached& reached = scratch_.reached[point];
-    if (!is_way(solids_, point_of(reached.from), point_of(point))) {
+    if (!is_free_between(solids_, point_of(reached.from), point_of(point))) {
       reached.length = std::numeric_limits<double>::infinity();
       const auto consider = [&](std::uint32_t other) {
         if (!is_settled(other)) return;
@@ -124,7 +124,7 @@ std::vector<std::uint32_t> seen_from(const FreeCells& cells, const Solids& solid
                                      const SpaceRoutePoint& point, int around) {
   std::vector<std::uint32_t> seen;
   cells.for_each_around(point.place, around, [&](std::uint32_t cell) {
-    if (is_way(solids, point, {cells.place(cell), cells.room(cell)})) seen.push_back(cell);
+    if (is_free_between(solids, point, {cells.place(cell), cells.room(cell)})) seen.push_back(cell);
   });
   return seen;
 }

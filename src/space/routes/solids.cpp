@@ -88,9 +88,10 @@ Away away_from(Vec3 place, const Solid& solid) {
 
 /// A line a + t d, with what divides by d: a component 0 counts as a very small one.
 struct Line {
-  std::array<double, 3> from, per_way;
+  std::array<double, 3> from, per_length;
 
-  Line(Vec3 a, Vec3 d) : from{a.x, a.y, a.z}, per_way{inverse(d.x), inverse(d.y), inverse(d.z)} {}
+  Line(Vec3 a, Vec3 d)
+      : from{a.x, a.y, a.z}, per_length{inverse(d.x), inverse(d.y), inverse(d.z)} {}
 
  private:
   static double inverse(double x) { return x == 0.0 ? 1e300 : 1.0 / x; }
@@ -103,8 +104,8 @@ double entry_of(const Line& line, double most, const Bounds& bounds, double room
   const std::array<double, 3> high{bounds.high.x, bounds.high.y, bounds.high.z};
   double begin = 0.0, end = most;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double first = (low[k] - room - line.from[k]) * line.per_way[k];
-    const double second = (high[k] + room - line.from[k]) * line.per_way[k];
+    const double first = (low[k] - room - line.from[k]) * line.per_length[k];
+    const double second = (high[k] + room - line.from[k]) * line.per_length[k];
     begin = std::max(begin, std::min(first, second));
     end = std::min(end, std::max(first, second));
   }
@@ -194,7 +195,7 @@ bool Solids::is_clear(Vec3 a, Vec3 b, double room) const {
                 });
 }
 
-double Solids::free_way(Vec3 from, Vec3 direction, double most) const {
+double Solids::free_length(Vec3 from, Vec3 direction, double most) const {
   double free = most;
   const Line line(from, direction);
   all_of([&](const Bounds& bounds) { return entry_of(line, free, bounds, 0.0) < free; },

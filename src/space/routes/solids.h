@@ -49,7 +49,7 @@ class Solids {
   /// Returns whether no box is between two places. Two boxes that touch leave nothing to see.
   [[nodiscard]] bool sees(Vec3 a, Vec3 b) const { return is_clear(a, b, kSight); }
   /// m: how far a ray gets, `most` at most. direction: unit.
-  [[nodiscard]] double free_way(Vec3 from, Vec3 direction, double most) const;
+  [[nodiscard]] double free_length(Vec3 from, Vec3 direction, double most) const;
 
  private:
   static constexpr double kSight = 1e-9;  // m

@@ -19,7 +19,7 @@ void leave_out(const Solids& solids, const SpaceRoutePoint& from,
                std::vector<SpaceRoutePoint>& points) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    if (is_way(solids, kept == 0 ? from : points[kept - 1], points[k + 1])) continue;
+    if (is_free_between(solids, kept == 0 ? from : points[kept - 1], points[k + 1])) continue;
     points[kept++] = points[k];
   }
   points[kept++] = points.back();
@@ -45,7 +45,7 @@ void move_towards(const Solids& solids, double most_room, Vec3 target, const Ben
     const Vec3 place = start + part * (target - start);
     const SpaceRoutePoint point{place, std::min(bend.at.room, room_at(solids, place, most_room))};
     if (!(sum(place) < sum(bend.at.place)) || point.room < bend.at.room ||
-        !is_way(solids, bend.before, point) || !is_way(solids, point, bend.after))
+        !is_free_between(solids, bend.before, point) || !is_free_between(solids, point, bend.after))
       continue;
     bend.at = point, moved = part;
   }
@@ -76,9 +76,9 @@ void pull(const Solids& solids, double most_room, const Bend& bend) {
   const Vec3 along = inwards - dot(inwards, near.normal) * near.normal;
   // across the surface and the bend: along an edge
   const Vec3 edge = cross(near.normal, cross(a, c));
-  for (const Vec3 way : {along, cross(near.normal, along), edge}) {
-    const double length = norm(way);
-    if (length > 0.0) move_towards(solids, most_room, nearest_on_line(bend, way / length), bend);
+  for (const Vec3 line : {along, cross(near.normal, along), edge}) {
+    const double length = norm(line);
+    if (length > 0.0) move_towards(solids, most_room, nearest_on_line(bend, line / length), bend);
   }
 }
 
@@ -91,7 +91,7 @@ double route_length(Vec3 from, std::span<const SpaceRoutePoint> points) {
   return length;
 }
 
-bool is_way(const Solids& solids, const SpaceRoutePoint& a, const SpaceRoutePoint& b) {
+bool is_free_between(const Solids& solids, const SpaceRoutePoint& a, const SpaceRoutePoint& b) {
   return solids.is_clear(a.place, b.place, (1.0 - kSightRounding) * std::min(a.room, b.room));
 }
 

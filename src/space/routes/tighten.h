@@ -13,7 +13,7 @@ void tighten(const Solids& solids, const SpaceRoutePoint& from, double most_room
              std::vector<SpaceRoutePoint>& points);
 
 /// Returns whether a straight line leads from one point to the other, with the room of both.
-bool is_way(const Solids& solids, const SpaceRoutePoint& a, const SpaceRoutePoint& b);
+bool is_free_between(const Solids& solids, const SpaceRoutePoint& a, const SpaceRoutePoint& b);
 
 /// m: from a place through all points.
 double route_length(Vec3 from, std::span<const SpaceRoutePoint> points);

@@ -127,8 +127,8 @@ bool is_open(const Solids& solids, const Tube& tube) {
   const Vec3 middle = tube.begin + (0.5 * tube.length) * tube.axis;
   const double half = std::min(tube.half_1, tube.half_2);
   if (solids.away(middle, half).distance < (1.0 - 1e-6) * half) return false;
-  const auto reaches = [&](Vec3 way, double to) {
-    return solids.free_way(middle, way, 2.0 * to) >= (1.0 - 1e-6) * to;
+  const auto reaches = [&](Vec3 direction, double to) {
+    return solids.free_length(middle, direction, 2.0 * to) >= (1.0 - 1e-6) * to;
   };
   return reaches(tube.across_1, tube.half_1) && reaches(-tube.across_1, tube.half_1) &&
          reaches(tube.across_2, tube.half_2) && reaches(-tube.across_2, tube.half_2);

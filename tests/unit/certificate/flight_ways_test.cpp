@@ -148,7 +148,7 @@ FlightCase after_step(const FlightCase& c) {
   return later;
 }
 
-TEST(FlightWays, what_is_left_of_a_clear_way_is_one) {
+TEST(FlightWays, what_is_left_of_a_clear_maneuver_is_one) {
   test::Random random(2);
   int clear = 0;
   for (int trial = 0; trial < 1500; ++trial) {

@@ -209,7 +209,7 @@ Case after_step(const Case& c) {
 
 // Remainders: after a step of a clear way, the rest of it is a clear way, or its braking is clear.
 // The second time, less is kept, by what rounding may cost.
-TEST(WaysOut, what_is_left_of_a_clear_way_is_one) {
+TEST(WaysOut, what_is_left_of_a_clear_maneuver_is_one) {
   test::Random random(3);
   int clear = 0;
   for (int trial = 0; trial < 6000; ++trial) {

@@ -179,7 +179,7 @@ Case after_step(Case& c) {
   return later;
 }
 
-TEST(WaysWithWheels, what_is_left_of_a_clear_way_is_one) {
+TEST(WaysWithWheels, what_is_left_of_a_clear_maneuver_is_one) {
   test::Random random(22);
   int clear = 0;
   for (int trial = 0; trial < 6000; ++trial) {

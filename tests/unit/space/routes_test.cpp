@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Routes among boxes: clear, short, and found again after edits.
+#include "space/routes/routes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -10,7 +12,6 @@
 #include "avo/space/reachability.h"
 #include "avo/space/simulation.h"
 #include "space/routes/tighten.h"
-#include "space/routes/ways.h"
 #include "unit/space/draws.h"
 #include "unit/space/shortest.h"
 
@@ -26,10 +27,10 @@ Robot ball(Vec3 position, double radius) {
 // The route of a robot that has the scene for itself.
 SpaceRoute route_of(const std::vector<Box>& boxes, Vec3 from, Vec3 goal, double radius) {
   const Robot robot = ball(from, radius);
-  SpaceWays ways(boxes, std::span(&robot, 1), std::span(&goal, 1), true);
-  WayScratch scratch;
-  ways.look(0, robot, goal, scratch);
-  const SpaceRoute* route = ways.route(0);
+  SpaceRoutes routes(boxes, std::span(&robot, 1), std::span(&goal, 1), true);
+  HeadingScratch scratch;
+  routes.look(0, robot, goal, scratch);
+  const SpaceRoute* route = routes.route(0);
   return route != nullptr ? *route : SpaceRoute{};
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evasive maneuvers in space: what is clear touches nobody, and what is left of it is an evasive
 // maneuver.
+#include "space/evasions.h"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "space/certificate.h"
-#include "space/evasions.h"
 #include "space/own_space.h"
 #include "unit/space/draws.h"
 
@@ -73,7 +74,7 @@ bool find_clear(EvasionSearch& search, Draws& draws, ClearWay& way) {
   return false;
 }
 
-TEST(SpaceWays, that_are_clear_touch_nobody) {
+TEST(SpaceEvasions, that_are_clear_touch_nobody) {
   int clear = 0;
   double nearest = 1e9;
   for (int k = 0; k < 1500; ++k) {
@@ -106,7 +107,7 @@ TEST(SpaceWays, that_are_clear_touch_nobody) {
   EXPECT_LT(nearest, 0.1);
 }
 
-TEST(SpaceWays, what_is_left_of_a_clear_way_is_one) {
+TEST(SpaceEvasions, what_is_left_of_a_clear_maneuver_is_one) {
   int clear = 0;
   for (int k = 0; k < 1500; ++k) {
     Draws draws(static_cast<std::uint64_t>(k) + 3000);
@@ -130,7 +131,7 @@ TEST(SpaceWays, what_is_left_of_a_clear_way_is_one) {
   EXPECT_GT(clear, 300);
 }
 
-TEST(SpaceWays, keep_off_boxes_as_the_certificate_does) {
+TEST(SpaceEvasions, keep_off_boxes_as_the_certificate_does) {
   int clear = 0, refused = 0;
   for (int k = 0; k < 400; ++k) {
     Draws draws(static_cast<std::uint64_t>(k) + 6000);

@@ -17,7 +17,7 @@
 namespace avo::space {
 
 /// Memory of a worker; allocates only while it grows.
-struct WayScratch {
+struct HeadingScratch {
   RouteScratch search;
   std::vector<Claimant> others;
 };
@@ -30,12 +30,12 @@ struct PassageView {
   double time_step = 0.0;       ///< s
 };
 
-class SpaceWays {
+class SpaceRoutes {
  public:
-  SpaceWays() = default;
+  SpaceRoutes() = default;
   /// places: m, of robots and goals, between which routes lead. routes: whether there are any.
-  SpaceWays(std::span<const Box> boxes, std::span<const Robot> robots, std::span<const Vec3> goals,
-            bool routes);
+  SpaceRoutes(std::span<const Box> boxes, std::span<const Robot> robots,
+              std::span<const Vec3> goals, bool routes);
 
   /// Other boxes, from the next step on. Routes that are still clear and as short as others stay.
   void set_boxes(std::span<const Box> boxes, std::span<const Robot> robots,
@@ -48,15 +48,16 @@ class SpaceWays {
 
   /// Finds the route of robot k before it decides, where it knows none for this goal and these
   /// boxes. Several threads may ask for different robots at once.
-  void look(std::size_t k, const Robot& robot, Vec3 goal, WayScratch& scratch);
+  void look(std::size_t k, const Robot& robot, Vec3 goal, HeadingScratch& scratch);
   /// Where robot k heads for, with what it remembers of its route. Several threads may ask for
   /// different robots at once.
   SpaceHeading heading(std::size_t k, const Robot& robot, Vec3 goal, double preferred_speed,
-                       const PassageView& company, SpaceRoute& route, WayScratch& scratch) const;
+                       const PassageView& company, SpaceRoute& route,
+                       HeadingScratch& scratch) const;
   /// Whom robot k lets go first at a passage, where that guides it on that route.
   [[nodiscard]] std::optional<SpaceWait> wait(std::size_t k, const Robot& robot,
                                               const PassageView& company, const SpaceRoute& route,
-                                              WayScratch& scratch) const;
+                                              HeadingScratch& scratch) const;
 
   /// What robot k remembers of its route; none where it knows no route, nor needs any.
   [[nodiscard]] const SpaceRoute* route(std::size_t k) const {
@@ -69,8 +70,8 @@ class SpaceWays {
   [[nodiscard]] bool has_boxes() const { return solids_.size() > 0; }
 
  private:
-  FoundRoute find(Vec3 from, Vec3 goal, double radius, WayScratch& scratch) const;
-  void follow(const Robot& robot, Vec3 goal, SpaceRoute& route, WayScratch& scratch) const;
+  FoundRoute find(Vec3 from, Vec3 goal, double radius, HeadingScratch& scratch) const;
+  void follow(const Robot& robot, Vec3 goal, SpaceRoute& route, HeadingScratch& scratch) const;
   const FreeCells& cells(double radius) const;
   static SpaceClaimer claimer_of(std::size_t k, const Robot& robot, const PassageView& company,
                                  const SpaceRoute& route);

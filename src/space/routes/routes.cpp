@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "space/routes/ways.h"
+#include "space/routes/routes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +29,14 @@ void include_finite(const Bounds& bounds, Bounds& within) {
 
 // A place as far off as the rest of the route, so that no robot brakes for it.
 Vec3 beyond(Vec3 position, Vec3 target, double rest) {
-  const Vec3 way = target - position;
-  const double distance = norm(way);
-  return distance > 0.0 && rest > distance ? position + (rest / distance) * way : target;
+  const Vec3 to_target = target - position;
+  const double distance = norm(to_target);
+  return distance > 0.0 && rest > distance ? position + (rest / distance) * to_target : target;
 }
 
 bool is_clear(const Solids& solids, const std::vector<SpaceRoutePoint>& points) {
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    if (!is_way(solids, points[k], points[k + 1])) return false;
+    if (!is_free_between(solids, points[k], points[k + 1])) return false;
   }
   return true;
 }
@@ -50,8 +50,8 @@ bool is_in_company(const Robot& robot, std::span<const Neighbor> neighbors) {
 
 }  // namespace
 
-SpaceWays::SpaceWays(std::span<const Box> boxes, std::span<const Robot> robots,
-                     std::span<const Vec3> goals, bool routes)
+SpaceRoutes::SpaceRoutes(std::span<const Box> boxes, std::span<const Robot> robots,
+                         std::span<const Vec3> goals, bool routes)
     : has_routes_(routes), routes_(robots.size()) {
   for (const Robot& robot : robots) {
     radii_.push_back(robot.radius);
@@ -62,8 +62,8 @@ SpaceWays::SpaceWays(std::span<const Box> boxes, std::span<const Robot> robots,
   set_boxes(boxes, robots, goals);
 }
 
-void SpaceWays::set_boxes(std::span<const Box> boxes, std::span<const Robot> robots,
-                          std::span<const Vec3> goals) {
+void SpaceRoutes::set_boxes(std::span<const Box> boxes, std::span<const Robot> robots,
+                            std::span<const Vec3> goals) {
   for (SpaceRoute& route : routes_) route.is_searched = false, route.rests = 0;
   within_ = {};
   for (const Robot& robot : robots) within_.include(robot.position);
@@ -77,20 +77,20 @@ void SpaceWays::set_boxes(std::span<const Box> boxes, std::span<const Robot> rob
   cells_ = Memo<FreeCells>(radii_.size());
 }
 
-void SpaceWays::include(Vec3 goal) {
+void SpaceRoutes::include(Vec3 goal) {
   if (within_.contain(goal)) return;
   within_.include(goal);
   cells_ = Memo<FreeCells>(radii_.size());
 }
 
-void SpaceWays::begin_step(std::span<const Robot> robots) {
+void SpaceRoutes::begin_step(std::span<const Robot> robots) {
   if (passages_.empty()) return;
   claims_.clear(passages_.size());
   for (std::uint32_t k = 0; k < robots.size(); ++k)
     append_claims(passages_, solids_, robots[k].position, robots[k].velocity, k, claims_);
 }
 
-const FreeCells& SpaceWays::cells(double radius) const {
+const FreeCells& SpaceRoutes::cells(double radius) const {
   const auto at = std::lower_bound(radii_.begin(), radii_.end(), radius) - radii_.begin();
   return cells_.get(static_cast<std::size_t>(at), [&] {
     return FreeCells(solids_, within_.grown(kRoutesAround * radius), radius);
@@ -98,20 +98,20 @@ const FreeCells& SpaceWays::cells(double radius) const {
 }
 
 // In the cells of its class, or where no route leads there, of its own radius.
-FoundRoute SpaceWays::find(Vec3 from, Vec3 goal, double radius, WayScratch& scratch) const {
+FoundRoute SpaceRoutes::find(Vec3 from, Vec3 goal, double radius, HeadingScratch& scratch) const {
   const double rounded = radius_class(radius);
   FoundRoute route = find_route(cells(rounded), solids_, from, goal, radius, scratch.search);
   if (route.reaches || rounded == radius) return route;
   return find_route(cells(radius), solids_, from, goal, radius, scratch.search);
 }
 
-void SpaceWays::follow(const Robot& robot, Vec3 goal, SpaceRoute& route,
-                       WayScratch& scratch) const {
+void SpaceRoutes::follow(const Robot& robot, Vec3 goal, SpaceRoute& route,
+                         HeadingScratch& scratch) const {
   if (!(route.goal == goal)) route = {.goal = goal, .points = {}, .passed = {}};
   const Vec3 position = robot.position;
   const double room = room_at(solids_, goal, robot.radius + kRouteRoom);
   const SpaceRoutePoint start{position, room_at(solids_, position, robot.radius + kRouteRoom)};
-  if (room >= kLeastRoom * robot.radius && is_way(solids_, start, {goal, room})) {
+  if (room >= kLeastRoom * robot.radius && is_free_between(solids_, start, {goal, room})) {
     if (route.reaches && !route.points.empty())
       pass(route, route.points.size() - 1);
     else
@@ -137,16 +137,16 @@ void SpaceWays::follow(const Robot& robot, Vec3 goal, SpaceRoute& route,
   route.left = found.reaches ? 0.0 : norm(goal - route.points.back().place);
 }
 
-bool SpaceWays::is_behind_box(std::size_t k, Vec3 position, Vec3 goal) const {
+bool SpaceRoutes::is_behind_box(std::size_t k, Vec3 position, Vec3 goal) const {
   return solids_.size() > 0 && routes_[k].reaches && !solids_.sees(position, goal);
 }
 
-void SpaceWays::look(std::size_t k, const Robot& robot, Vec3 goal, WayScratch& scratch) {
+void SpaceRoutes::look(std::size_t k, const Robot& robot, Vec3 goal, HeadingScratch& scratch) {
   if (solids_.size() > 0) follow(robot, goal, routes_[k], scratch);
 }
 
-SpaceClaimer SpaceWays::claimer_of(std::size_t k, const Robot& robot, const PassageView& company,
-                                   const SpaceRoute& route) {
+SpaceClaimer SpaceRoutes::claimer_of(std::size_t k, const Robot& robot, const PassageView& company,
+                                     const SpaceRoute& route) {
   return {robot.position,
           robot.radius,
           planned_braking(robot),
@@ -157,9 +157,9 @@ SpaceClaimer SpaceWays::claimer_of(std::size_t k, const Robot& robot, const Pass
           route.yielded};
 }
 
-SpaceHeading SpaceWays::heading(std::size_t k, const Robot& robot, Vec3 goal,
-                                double preferred_speed, const PassageView& company,
-                                SpaceRoute& route, WayScratch& scratch) const {
+SpaceHeading SpaceRoutes::heading(std::size_t k, const Robot& robot, Vec3 goal,
+                                  double preferred_speed, const PassageView& company,
+                                  SpaceRoute& route, HeadingScratch& scratch) const {
   SpaceHeading heading{goal, preferred_speed, norm(goal - robot.position)};
   if (solids_.size() == 0) return heading;
   follow(robot, goal, route, scratch);
@@ -181,9 +181,9 @@ SpaceHeading SpaceWays::heading(std::size_t k, const Robot& robot, Vec3 goal,
   return heading;
 }
 
-std::optional<SpaceWait> SpaceWays::wait(std::size_t k, const Robot& robot,
-                                         const PassageView& company, const SpaceRoute& route,
-                                         WayScratch& scratch) const {
+std::optional<SpaceWait> SpaceRoutes::wait(std::size_t k, const Robot& robot,
+                                           const PassageView& company, const SpaceRoute& route,
+                                           HeadingScratch& scratch) const {
   return waited_for(passages_, claims_, claimer_of(k, robot, company, route), scratch.others);
 }
 
