@@ -237,7 +237,7 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
   const bool is_alone = scratch.looked.seen.count == 0;
   const Sight sight{around.movers, around.boxes, is_alone && !options.never_swerves};
   const bool evades = is_certified && keep_evasion(options, law, robot, sight, scratch.evasions,
-                                                     scratch.choice, choice.next_velocity);
+                                                   scratch.choice, choice.next_velocity);
   if (evades) choice.chosen = Chosen::candidate, trace.evades(options, law, robot, sight, scratch);
   Plan plan = plan_to(robot.velocity, choice.next_velocity, law);
   plan.violation = target.violation;

@@ -178,7 +178,7 @@ EvasionFound find_evasion(Evading& evading, const Level& level, Vec3 wanted, Tak
 }
 
 EvasionFound find_evasion_in_order(Evading& evading, std::span<const Level> levels, Vec3 wanted,
-                           Taken& found) {
+                                   Taken& found) {
   for (const Level& level : levels) {
     const EvasionFound outcome = find_evasion(evading, level, wanted, found);
     if (outcome != EvasionFound::none) return outcome;

@@ -10,8 +10,8 @@ namespace avo::space {
 /// none and there is one. choice_workspace: after begin_constraints(). Returns whether it has
 /// replaced it. The search then knows the evasive maneuver and the rejected choice.
 bool keep_evasion(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
-                    const Sight& sight, EvasionSearch& search, ChoiceWorkspace& choice_workspace,
-                    Vec3& next_velocity);
+                  const Sight& sight, EvasionSearch& search, ChoiceWorkspace& choice_workspace,
+                  Vec3& next_velocity);
 
 /// The moving obstacle that the robot evades, if it has rejected a next velocity, m/s. It is the
 /// index of the nearest one that comes too near to the robot if the robot brakes after that step;

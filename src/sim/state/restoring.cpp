@@ -201,7 +201,7 @@ void restore(const SavedState& state, World& world) {
   if (statics || !are_same(resting, world.routes.front().resting())) {
     for (const Floor& own : known.floors)
       other_routes.emplace_back(route_rules_of(world.settings), own.walls, resting,
-                              &world.routes[world.statics.floor_of(own.layers).value_or(0)]);
+                                &world.routes[world.statics.floor_of(own.layers).value_or(0)]);
   }
   std::vector<Routes>& routes = other_routes.empty() ? world.routes : other_routes;
   std::vector<Travel> travels = travels_of(state, known, routes, floor);

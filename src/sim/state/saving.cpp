@@ -30,7 +30,7 @@ SavedState saved_state(const World& world) {
     const Travel& travel = world.travels[rank];
     const double radius = fleet.traits[fleet.slot_of[rank]].route_radius;
     state.routes.push_back({travel.target, travel.graph && travel.graph->radius == radius,
-                          travel.around_movers, travel.ends, travel.place, travel.waiting});
+                            travel.around_movers, travel.ends, travel.place, travel.waiting});
   }
   state.scene.moving_obstacles = world.obstacles.setup;
   state.scene.obstacles = world.statics.obstacles;
