@@ -21,13 +21,17 @@ struct ChoiceWorkspace {
 struct Choice {
   Vec3 next_velocity;  ///< m/s
   Chosen chosen = Chosen::backup;
+  bool is_rounded = false;  ///< the candidate differs from the wanted velocity by rounding alone
+
+  /// Whether the robot gets what it wants.
+  [[nodiscard]] bool is_as_wanted() const { return chosen == Chosen::wanted || is_rounded; }
 };
 
 /// The half-spaces of climb and sink, in the robot's own space.
 void append_climb(const Robot& robot, std::vector<HalfSpace>& half_spaces);
 
 /// Returns the admitted velocity near the wanted one, m/s. trace.is_refused() tells why the wanted
-/// velocity was not admitted.
+/// velocity was not admitted, unless rounding alone has put it beyond the robot's own limits.
 template <typename Trace = NoTrace>
 Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspace& workspace,
               Trace trace = {});

@@ -121,14 +121,14 @@ Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, cons
     if (left < kBlocked && part_left(decision, next, off.own, turned, turned) < kBlocked)
       turn(detour, decision, 1.0, scratch.hard.count > 0);
   }
-  if ((turns || left < kFree) && next.chosen == Chosen::wanted) next.chosen = Chosen::detour;
+  if ((turns || left < kFree) && next.is_as_wanted()) next.chosen = Chosen::detour;
   return next;
 }
 
-PlanStatus status_of(Chosen chosen, double violation) {
-  if (chosen == Chosen::backup) return PlanStatus::braking;
-  if (chosen == Chosen::detour) return PlanStatus::detour;
-  if (chosen == Chosen::candidate) return PlanStatus::refused;
+PlanStatus status_of(const Choice& choice, double violation) {
+  if (choice.chosen == Chosen::backup) return PlanStatus::braking;
+  if (choice.chosen == Chosen::detour) return PlanStatus::detour;
+  if (!choice.is_as_wanted()) return PlanStatus::refused;
   return violation > 0.0 ? PlanStatus::least_unsafe : PlanStatus::optimal;
 }
 
@@ -238,11 +238,14 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
   const Sight sight{around.movers, around.boxes, is_alone && !options.never_swerves};
   const bool evades = is_certified && keep_evasion(options, law, robot, sight, scratch.evasions,
                                                    scratch.choice, choice.next_velocity);
-  if (evades) choice.chosen = Chosen::candidate, trace.evades(options, law, robot, sight, scratch);
+  if (evades) {
+    choice = {choice.next_velocity, Chosen::candidate};
+    trace.evades(options, law, robot, sight, scratch);
+  }
   Plan plan = plan_to(robot.velocity, choice.next_velocity, law);
   plan.violation = target.violation;
   plan.evading = evades;
-  plan.status = status_of(choice.chosen, target.violation);
+  plan.status = status_of(choice, target.violation);
   tell_contact(decision, around, plan);
   const Constraints& constraints = scratch.choice.constraints;
   const bool keeps_clear = !constraints.invariant.doubtful && !constraints.invariant.unknown &&

@@ -90,15 +90,6 @@ Words rule_of(const Explanation& e) {
   return does(e.decision.rule, cause != Cause{} ? name_of(e, cause) : Words("others"));
 }
 
-// Whether rounding alone has kept the robot from what it wants.
-bool is_as_asked(const DecisionTrace& decision) {
-  const bool is_off = decision.detour.has_value();
-  const std::vector<Cause>& causes = is_off ? decision.refusing_detour : decision.refusing;
-  return causes == std::vector<Cause>{{}} &&
-         norm(decision.plan.next_velocity - (is_off ? *decision.detour : decision.proposal)) <
-             kAsPreferred;
-}
-
 // The last velocity that was asked for has been refused.
 Words refusal_of(const Explanation& e) {
   const DecisionTrace& decision = e.decision;
@@ -132,7 +123,7 @@ Words limits_of(const Explanation& e, bool is_certified) {
   const PlanStatus status = e.decision.plan.status;
   if (status == PlanStatus::detour) return detour_of(e);
   const bool is_refused = status == PlanStatus::refused || status == PlanStatus::braking;
-  return is_refused && !is_as_asked(e.decision) ? refusal_of(e) : program_of(e, is_certified);
+  return is_refused ? refusal_of(e) : program_of(e, is_certified);
 }
 
 Words contact_of(const Explanation& e) {

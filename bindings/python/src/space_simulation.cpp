@@ -25,7 +25,7 @@ py::list out_of_reach_of(const Scenario& scenario) {
   py::list list;
   for (const avo::space::OutOfReach& one : avo::space::out_of_reach(scenario)) {
     py::dict entry;
-    entry["robot"] = one.robot;
+    entry["robot"] = one.robot.value;
     entry["nearest"] = one.nearest;
     entry["distance_left"] = one.distance_left;
     entry["is_in_box"] = one.is_in_box;
