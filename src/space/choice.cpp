@@ -12,7 +12,7 @@ namespace avo::space {
 namespace {
 
 constexpr double kBelow = 1.0 - 0x1p-48;  // a bound is kept in spite of rounding
-constexpr double kRounded = 1e-6;         // m/s, more than rounding moves a velocity
+constexpr double kByRounding = 1e-6;      // m/s, more than rounding moves a velocity
 
 // The limits of v_1 in the robot's own space, m/s.
 struct Limits {
@@ -86,7 +86,7 @@ Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspa
     const Vec3 candidate = is_wanted ? wanted : within_climb(robot, from_own(own, robot.vertical));
     const bool is_last = result.state == SpaceProgramState::least_unsafe || round + 1 == kRounds;
     const Asked asked = is_last ? Asked::until_refused : Asked::all;
-    const bool is_rounded = round == 0 && !is_wanted && norm(candidate - wanted) < kRounded;
+    const bool is_rounded = round == 0 && !is_wanted && norm(candidate - wanted) < kByRounding;
     if (round == 0 && !is_wanted && !is_rounded) trace.is_refused();  // by its own limits
     if (!keeps_climb(robot, candidate)) break;  // no point keeps all cuts and the climb
     if (admits(robot, candidate, law, asked, constraints))
