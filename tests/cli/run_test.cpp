@@ -257,7 +257,7 @@ TEST(Run, validate_tells_whom_walls_keep_from_their_goals) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(
       lines_of(result.err),
-      (Strings{"warning: robot 0: its goal [6, 0] cannot be reached by any way as wide as the "
+      (Strings{"warning: robot 0: its goal [6, 0] cannot be reached by any route as wide as the "
                "robot: it goes to [3.4999995, 0], 2.5 m from there"}));
   const ProcessResult near =
       run_avo({"validate", path_of("box.yaml"), "--set", "robots.0.goal=[3.6, 1]"});

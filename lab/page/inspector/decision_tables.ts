@@ -31,8 +31,8 @@ function motionRows(decision: Decision): Row[] {
     { name: "position", label: "position", value: `${pair(position)} m`, exact: position },
     { name: "goal", label: "goal", value: `${pair(goal)} m`, exact: goal },
     { name: "velocity", label: symbol("v"), value: `${pair(velocity)} m/s${polar(velocity)}`, exact: velocity, title: "velocity" },
-    { name: "preferred_velocity", label: symbol("v", "pref"), value: `${pair(preferred_velocity)} m/s${polar(preferred_velocity)}`, exact: preferred_velocity, title: "preferred velocity: the wish" },
-    { name: "new_velocity", label: symbol("v′"), value: `${pair(new_velocity)} m/s${polar(new_velocity)}`, exact: new_velocity, title: "new velocity: the choice" },
+    { name: "preferred_velocity", label: symbol("v", "pref"), value: `${pair(preferred_velocity)} m/s${polar(preferred_velocity)}`, exact: preferred_velocity, title: "preferred velocity" },
+    { name: "new_velocity", label: symbol("v′"), value: `${pair(new_velocity)} m/s${polar(new_velocity)}`, exact: new_velocity, title: "target v′" },
     { name: "acceleration", label: symbol("a"), value: `${pair(acceleration)} m/s²${share}`, exact: acceleration, title: "acceleration: what follows from the choice, Eq. (7)" },
   ];
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots follow their routes around walls.
+#include "guidance/routes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -7,7 +9,6 @@
 #include <string>
 
 #include "avo/simulation.h"
-#include "guidance/routes.h"
 #include "sim/columns/fleet.h"
 #include "unit/sim/walled_scenes.h"
 
