@@ -320,7 +320,8 @@ TEST(Run, collisions_are_counted_and_are_no_failure) {
   EXPECT_EQ(json["first_collision_time"], 0.0);
   EXPECT_EQ(json["collision_pairs"], 1);
   EXPECT_GE(json["mover_collisions"], 1);
-  EXPECT_TRUE(json["mover_collisions_evadable"].is_null()) << "no certificate, no ways out";
+  EXPECT_TRUE(json["mover_collisions_evadable"].is_null())
+      << "no certificate, no evasive maneuvers";
   EXPECT_LE(json["min_clearance"], -0.5);
   EXPECT_NE(result.err.find("warning: robot 0 and robot 1 overlap at the start"),
             std::string::npos);

@@ -26,7 +26,7 @@ export function numbersTableInSpace(decision: SpaceDecision): HTMLElement {
     velocities("preferred_velocity", symbol("v", "pref"), preferred_velocity, "preferred velocity"),
     velocities("new_velocity", symbol("v′"), new_velocity, "target v′"),
     velocities("next_velocity", symbol("v", "next"), next_velocity, "velocity after this step"),
-    { name: "acceleration", label: symbol("a"), value: `${triple(acceleration)} m/s², ${digits(100 * norm3(acceleration) / max_acceleration, 0)} % of aₘₐₓ`, exact: acceleration, title: "acceleration: what follows from the choice, Eq. (7)" },
+    { name: "acceleration", label: symbol("a"), value: `${triple(acceleration)} m/s², ${digits(100 * norm3(acceleration) / max_acceleration, 0)} % of aₘₐₓ`, exact: acceleration, title: "acceleration: what follows from the target, Eq. (7)" },
     { name: "status", label: "status", value: decision.status, exact: decision.status, title: STATUS_COLORS[decision.status]?.says ?? "" },
     causes("binding", "binding", trace.binding, "whose half-spaces bind"),
     causes("heeded", "heeded", trace.heeded === null ? [] : [trace.heeded], "the neighbor that a rule for arriving heeds"),
