@@ -83,7 +83,7 @@ void add_alone(std::vector<Family>& all) {
   const auto add = [&](const char* name, const char* what, int scenes, auto make) {
     all.push_back({name, what, scenes, true, make});
   };
-  add("alone-crossing", "one robot whose way 1 to 10 movers cross", 450, alone_crossing);
+  add("alone-crossing", "one robot whose course 1 to 10 movers cross", 450, alone_crossing);
   add("alone-goal", "one robot at its goal that 1 to 10 movers pass over", 360, alone_at_goal);
   add("alone-road", "one robot over a road of 1 to 3 lanes", 216, alone_over_road);
   add("alone-surprised", "one robot that sees a mover 0.7 to 3 s before contact", 270,

@@ -238,7 +238,7 @@ def go_back():
 
 
 def make_room():
-    figure = Figure("make-room", "A robot at its goal in a passage goes on before whoever comes near", 760, 270)
+    figure = Figure("make-room", "A robot at its goal in a passage goes on before another robot comes near", 760, 270)
     figure.view((45, 110), 35)
     length, half = 13.0, DOOR / 2
     for sign in (-1, 1):
@@ -264,7 +264,7 @@ def make_room():
 
 
 def go_around():
-    figure = Figure("go-around", "Whoever has waited for longer than another way takes goes there", 760, 342)
+    figure = Figure("go-around", "A robot that has waited longer than another route takes goes there", 760, 342)
     figure.view((40, 78), 27)
     left, right, half, other = 5.0, 17.0, DOOR / 2, -4.8  # r; both lanes lead along x, one at y = 0
     for top, bottom in ((2.4, half), (-half, other + half), (other - half, other - 2.4)):
@@ -279,8 +279,8 @@ def go_around():
     figure.robot(b, GRAY, "B"), figure.robot(a, BLUE, "A")
     figure.dot(end, BLUE, 4.5)
     figure.text(end, "goal of A", BLUE, "middle", 0, 22)
-    figure.text((11.9, 0), "its way, of length L", RED, dy=-8)
-    figure.text(((left + right) / 2, other), "the way around, of length L'", BLUE, "middle", 0, -8)
+    figure.text((11.9, 0), "its route, of length L", RED, dy=-8)
+    figure.text(((left + right) / 2, other), "the route around, of length L'", BLUE, "middle", 0, -8)
     figure.view((0, 342), 1)
     figure.text((30, 44), f"t: since when A, with others near, has not come nearer to its goal by {WALLS.kComesNearer:g} r")
     figure.text((30, 20), f"A goes around once t ≥ {WALLS.kPatience:g} T and t ≥ (L' - L)/(its preferred speed)")

@@ -305,7 +305,7 @@ class AVO_API Simulation {
   /// 9).
   struct Wait {
     Vec2 passage = {};    ///< m: the middle of its axis
-    RobotId robot;        ///< the robot that comes towards it, or is in its route
+    RobotId robot;        ///< the robot that comes towards it, or stands in its path
     bool inside = false;  ///< whether that robot is in the passage
     Vec2 a = {}, b = {};  ///< m: the two sides of the passage where it is narrowest
   };

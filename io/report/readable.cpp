@@ -134,7 +134,7 @@ void append_stages(const Decision& decision,
 std::string evasion_text(const Decision& decision) {
   const auto& [neighbor, velocity, duration] = *decision.evasion;
   const std::string whom =
-      neighbor >= 0 ? text_of_either(decision, neighbor, -1) : "those who come";
+      neighbor >= 0 ? text_of_either(decision, neighbor, -1) : "the moving obstacles around it";
   if (!(duration > 0.0)) return whom + ": it brakes";
   return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could {}", whom,
                      text(velocity), decision.time + duration,
@@ -162,7 +162,10 @@ std::string readable(const Decision& decision) {
                                                                 text(reach.center), reach.radius)
                                                   : std::string()) +
                          fmt::format("|v'| <= {:.6g} m/s", decision.speed_disc.radius));
-  line("sees", fmt::format("{} robots and moving obstacles", decision.seen.neighbors.size()));
+  const std::size_t count = decision.seen.neighbors.size();
+  line("sees",
+       fmt::format("{} {}", count,
+                   count == 1 ? "robot or moving obstacle" : "robots and moving obstacles"));
   for (std::size_t k = 0; k < decision.seen.neighbors.size(); ++k) {
     if (const int age = decision.seen.neighbors[k].age; age > 0)
       line("carried on", fmt::format("{}, last sensed {} {} ago", text_of(decision.seen.source[k]),

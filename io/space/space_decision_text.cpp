@@ -159,10 +159,14 @@ Json wait_of(const Explanation& why) {
 std::string evasion_text(const Explanation& why) {
   const avo::space::Evasion& evasion = *why.decision.evasion;
   const std::string whom =
-      evasion.mover >= 0 ? text_of(why, {-1, -1, evasion.mover}) : "those who come";
+      evasion.mover >= 0 ? text_of(why, {-1, -1, evasion.mover}) : "the moving obstacles around it";
   if (!(evasion.duration > 0.0)) return whom + ": it brakes";
   return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could brake", whom,
                      text(evasion.velocity), why.time + evasion.duration);
+}
+
+std::string counted(std::size_t number, const char* one, const char* many) {
+  return fmt::format("{} {}", number, number == 1 ? one : many);
 }
 
 using Line = std::function<void(const char*, const std::string&)>;
@@ -170,8 +174,9 @@ using Line = std::function<void(const char*, const std::string&)>;
 /// Appends what the robot senses, and the half-spaces of it.
 void append_seen(const Explanation& why, const Line& line) {
   const auto& seen = why.seen;
-  line("sees", fmt::format("{} robots, {} boxes and {} moving obstacles", seen.neighbors.size(),
-                           seen.boxes.size(), seen.movers.size()));
+  line("sees", fmt::format("{}, {} and {}", counted(seen.neighbors.size(), "robot", "robots"),
+                           counted(seen.boxes.size(), "box", "boxes"),
+                           counted(seen.movers.size(), "moving obstacle", "moving obstacles")));
   const auto carried_on = [&](Cause cause, int age) {
     if (age > 0)
       line("carried on", fmt::format("{}, last sensed {} {} ago", text_of(why, cause), age,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Full braking from a state of a way out: of A's position, and of the discs of its footprint.
+// Full braking from a state of an evasive maneuver: of A's position, and of the discs of its
+// footprint.
 #pragma once
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The discs of a robot with a footprint on its ways out (docs/movers.md, "Footprints"). Each disc
-// is tested like the disc of a robot without one.
+// The discs of a robot with a footprint in its evasive maneuvers (docs/movers.md, "Footprints").
+// Each disc is tested like the disc of a robot without one.
 #pragma once
 #include <array>
 #include <span>

@@ -163,8 +163,8 @@ Words freedom_of(const Explanation& e) {
 
 Words evasion_of(const Explanation& e) {
   const Evasion& evasion = *e.decision.evasion;
-  const Words whom =
-      evasion.neighbor >= 0 ? name_of(e, {evasion.neighbor, -1}) : Words("the movers around it");
+  const Words whom = evasion.neighbor >= 0 ? name_of(e, {evasion.neighbor, -1})
+                                           : Words("the moving obstacles around it");
   return evades(whom, !(evasion.duration > 0.0));
 }
 

@@ -150,8 +150,8 @@ bool is_surely_longer(const Lookout& lookout, std::uint32_t corner, bool is_besi
 // entries do not suffice.
 bool look_beside(LegChoice& choice, std::uint32_t target) {
   const Lookout& lookout = choice.lookout;
-  const std::vector<std::uint32_t>& ways = lookout.map().beside;
-  const bool is_beside = std::find(ways.begin(), ways.end(), target) != ways.end();
+  const std::vector<std::uint32_t>& beside = lookout.map().beside;
+  const bool is_beside = std::find(beside.begin(), beside.end(), target) != beside.end();
   for (const CornerGraph::Edge& edge : lookout.graph.edges_of(target)) {
     const std::optional<double> known = known_length(lookout.map(), edge.to);
     if (!known && !is_surely_longer(lookout, edge.to, is_beside, choice.least) &&

@@ -38,8 +38,8 @@ double run_in_of(const Robot& robot) {
 }
 
 // Appends the corners of the route by the map from one place to another.
-void append_way(NavigatorState& state, const Robot& robot, Vec2 to, Memory& memory,
-                std::vector<Waypoint>& points) {
+void append_route(NavigatorState& state, const Robot& robot, Vec2 to, Memory& memory,
+                  std::vector<Waypoint>& points) {
   const Vec2 from = points.back().place;
   Travel travel =
       memory.routes->empty()
@@ -84,11 +84,11 @@ std::vector<Waypoint> corners_of(NavigatorState& state, Memory& memory, const Ro
       if (!moves_along_heading(robot.model))
         to = to + disc_center(robot.model, {}, *mission.heading);
       const Vec2 from = run_in(state, robot, to, direction);
-      if (by_map && !(from == to)) append_way(state, robot, from, memory, points);
+      if (by_map && !(from == to)) append_route(state, robot, from, memory, points);
       if (!by_map && !(from == to)) points.push_back({from, 0.0, 1});
     }
     if (by_map && (points.size() == 1 || memory.travel.ends != RouteEnd::short_of))
-      append_way(state, robot, to, memory, points);
+      append_route(state, robot, to, memory, points);
     else
       points.push_back({to});
     points.back().wait = is_last ? 0.0 : stage.wait, points.back().stages = by_map ? 1 : 0;

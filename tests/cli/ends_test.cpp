@@ -65,7 +65,7 @@ TEST(Ends, at_the_latest_with_the_duration_where_robots_cannot_arrive) {
   const ProcessResult result = run_avo({"run", scene, "--until-arrived", "--summary", "-"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(Json::parse(result.out)["steps"], 50);
-  EXPECT_NE(result.err.find("warning: no way between the obstacles leads to the goal of robot 0"),
+  EXPECT_NE(result.err.find("warning: no route between the obstacles leads to the goal of robot 0"),
             std::string::npos);
   const Json slow = summary_of({"circle-10", "--until-arrived", "--duration", "5"});
   EXPECT_EQ(slow["steps"], 50);

@@ -257,7 +257,7 @@ TEST(Run, validate_tells_whom_walls_keep_from_their_goals) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(
       lines_of(result.err),
-      (Strings{"warning: robot 0: its goal [6, 0] cannot be reached by any way as wide as the "
+      (Strings{"warning: robot 0: its goal [6, 0] cannot be reached by any route as wide as the "
                "robot: it goes to [3.4999995, 0], 2.5 m from there"}));
   const ProcessResult near =
       run_avo({"validate", path_of("box.yaml"), "--set", "robots.0.goal=[3.6, 1]"});
@@ -320,7 +320,8 @@ TEST(Run, collisions_are_counted_and_are_no_failure) {
   EXPECT_EQ(json["first_collision_time"], 0.0);
   EXPECT_EQ(json["collision_pairs"], 1);
   EXPECT_GE(json["mover_collisions"], 1);
-  EXPECT_TRUE(json["mover_collisions_evadable"].is_null()) << "no certificate, no ways out";
+  EXPECT_TRUE(json["mover_collisions_evadable"].is_null())
+      << "no certificate, no evasive maneuvers";
   EXPECT_LE(json["min_clearance"], -0.5);
   EXPECT_NE(result.err.find("warning: robot 0 and robot 1 overlap at the start"),
             std::string::npos);

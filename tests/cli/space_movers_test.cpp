@@ -74,7 +74,7 @@ TEST(SpaceMovers, are_named_where_a_robot_makes_room_for_them) {
   const std::vector<std::string> words{"explain", scene, "--robot", "0", "--time", "0.7"};
   const ProcessResult told = run_avo(words);
   ASSERT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_THAT(told.out, HasSubstr("sees                0 robots, 0 boxes and 1 moving obstacles"));
+  EXPECT_THAT(told.out, HasSubstr("sees                0 robots, 0 boxes and 1 moving obstacle\n"));
   EXPECT_THAT(told.out, HasSubstr(", of moving obstacle 0"));
   std::vector<std::string> as_json = words;
   as_json.emplace_back("--json");

@@ -104,7 +104,7 @@ def test_movers_of_a_batch_move_on():
     assert plans[0].acceleration != avo.Planner().plan(robot, avo.Neighbors(**mover))[0].acceleration
 
 
-def test_the_likely_deviation_of_a_mover_counts_in_ways_out():
+def test_the_likely_deviation_of_a_mover_counts_in_evasions():
     planner, robot = avo.Planner(), avo.Robots(position=[[0, 0]], velocity=[[2, 0]], preferred_velocity=[[2, 0]])
     mover = dict(position=(3, 2.5), velocity=(0, -0.5))
     plans = {likely: planner.plan(robot[0], [avo.Neighbor(**mover, behavior="moves_on", likely_deviation=likely)])
@@ -134,7 +134,7 @@ def test_those_who_cooperate_do_their_share_and_promise_nothing():
         avo.Neighbor(position=(0, 0), behavior="helps")
 
 
-def test_a_way_out_is_told():
+def test_an_evasion_is_told():
     planner, robot = avo.Planner(), avo.Robot(position=(0, 0), velocity=(2, 0), preferred_velocity=(2, 0))
     others = [avo.Neighbor(position=(9, 9), velocity=(1, 0), behavior="moves_on"),
               avo.Neighbor(position=(2, 3), velocity=(0, -1), behavior="moves_on")]

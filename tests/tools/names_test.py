@@ -14,7 +14,7 @@ SPACE = re.compile(r"/space[/_]")
 # Packs of each instruction set; the kinds of the struct that contains them; the scalar and the lanes of one thing. Two
 # meanings remain: the stages of a step and of a mission, the bounds of errors and of places.
 ALIKE = {"Pack", "MaskOf", "Kind", "Line", "Stage", "Bounds"}
-# What space and the plane have alike: the public types, and the parts of decisions, ways out and routes.
+# What space and the plane have alike: the public types, and the parts of decisions, evasions and routes.
 SAME = {
     "Check", "CheckedRobot", "CheckedState", "Detour", "Metrics", "MovingObstacle", "Neighbor", "OutOfReach", "Plan",
     "PlanWorkspace", "Planner", "Robot", "RobotSetup", "Scenario", "Simulation", "Route", "CheckedMover", "BrakingVerdict", "Crossing",

@@ -124,9 +124,9 @@ void tell_unreachable(const avo::RunSummary& results) {
   }
   if (count > named) who += fmt::format(" and {} more", count - named);
   warn(
-      {fmt::format("no way between the obstacles leads to the {} {}; a way has to be as wide as "
-                   "the robot, and a "
-                   "goal as far from an obstacle as its radius; robots go as near as they can",
+      {fmt::format("no route between the obstacles leads to the {} {}; a route has to be as wide "
+                   "as the robot, and a goal as far from an obstacle as its radius; robots go as "
+                   "near as they can",
                    count == 1 ? "goal of robot" : "goals of robots", who)});
 }
 

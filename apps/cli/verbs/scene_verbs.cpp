@@ -118,7 +118,7 @@ std::vector<std::string> told_out_of_reach(const avo::Scenario& scenario) {
         one.robot.value, robot.goal.x, robot.goal.y,
         one.is_in_wall
             ? fmt::format("is nearer to an obstacle than its radius = {:.9g} m", disc_radius(robot))
-            : std::string("cannot be reached by any way as wide as the robot"),
+            : std::string("cannot be reached by any route as wide as the robot"),
         one.nearest.x, one.nearest.y, one.distance_left,
         one.counts_as_there ? ", where it has arrived" : ""));
   }

@@ -121,7 +121,7 @@ std::vector<std::string> told_out_of_reach(const avo::space::Scenario& scenario)
         one.robot.value, robot.goal.x, robot.goal.y, robot.goal.z,
         one.is_in_box ? fmt::format("is nearer to an obstacle than its radius = {:.9g} m",
                                     robot_of(robot).radius)
-                      : std::string("cannot be reached by any way as wide as the robot"),
+                      : std::string("cannot be reached by any route as wide as the robot"),
         one.nearest.x, one.nearest.y, one.nearest.z, one.distance_left));
   }
   if (all.size() > kNamed)

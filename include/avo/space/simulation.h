@@ -78,7 +78,7 @@ class AVO_API Simulation {
   /// passages").
   struct Wait {
     Vec3 passage = {};    ///< m: the middle of its axis
-    RobotId robot;        ///< the robot that comes towards it, or is in its route
+    RobotId robot;        ///< the robot that comes towards it, or stands in its path
     bool inside = false;  ///< whether that robot is in the passage
   };
   /// What a robot senses and wants now. What it senses comes in the order in which it plans:

@@ -31,9 +31,9 @@ function motionRows(decision: Decision): Row[] {
     { name: "position", label: "position", value: `${pair(position)} m`, exact: position },
     { name: "goal", label: "goal", value: `${pair(goal)} m`, exact: goal },
     { name: "velocity", label: symbol("v"), value: `${pair(velocity)} m/s${polar(velocity)}`, exact: velocity, title: "velocity" },
-    { name: "preferred_velocity", label: symbol("v", "pref"), value: `${pair(preferred_velocity)} m/s${polar(preferred_velocity)}`, exact: preferred_velocity, title: "preferred velocity: the wish" },
-    { name: "new_velocity", label: symbol("v′"), value: `${pair(new_velocity)} m/s${polar(new_velocity)}`, exact: new_velocity, title: "new velocity: the choice" },
-    { name: "acceleration", label: symbol("a"), value: `${pair(acceleration)} m/s²${share}`, exact: acceleration, title: "acceleration: what follows from the choice, Eq. (7)" },
+    { name: "preferred_velocity", label: symbol("v", "pref"), value: `${pair(preferred_velocity)} m/s${polar(preferred_velocity)}`, exact: preferred_velocity, title: "preferred velocity" },
+    { name: "new_velocity", label: symbol("v′"), value: `${pair(new_velocity)} m/s${polar(new_velocity)}`, exact: new_velocity, title: "target v′" },
+    { name: "acceleration", label: symbol("a"), value: `${pair(acceleration)} m/s²${share}`, exact: acceleration, title: "acceleration: what follows from the target, Eq. (7)" },
   ];
 }
 
@@ -130,7 +130,7 @@ export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law
   return neighborsOf([["neighbor", ""], ["clearance", "m"], ["share", "%"], ["behavior", ""], ["half-plane", ""]], sorted, ({ sensed, name, clearance }) => {
     const cut = found.cuts.find((other) => other.of === name);
     const role = !cut ? (law.method === "buffered_voronoi" || decision.rule !== "half_planes" ? "" : "does not cut")
-      : cut.binds ? "binds" : cut.refuses > 1e-3 ? "refuses the wish" : "cuts";
+      : cut.binds ? "binds" : cut.refuses > 1e-3 ? "refuses vᵖʳᵉᶠ" : "cuts";
     const label = typeof sensed.neighbor === "number" ? neighborLink(lab, sensed.neighbor) : labelOf(name);
     return element("tr", { "data-name": name, onpointerenter: () => lab.highlight(name), onpointerleave: () => lab.highlight(null) },
       element("th", { scope: "row" }, label),

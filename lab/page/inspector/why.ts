@@ -55,5 +55,5 @@ export function headingOf(v: Vec): number {
 /** Returns the neighbor that a decision evades, for people. */
 export function evadedOf(decision: Decision): string {
   const whom = decision.evading?.neighbor ?? null;
-  return whom === null ? "the movers around it" : labelOf(nameOf(whom));
+  return whom === null ? "the moving obstacles around it" : labelOf(nameOf(whom));
 }

@@ -33,7 +33,7 @@ Scenario among_movers(std::uint64_t seed) {
   return scene;
 }
 
-TEST(MoverSights, nobody_alone_is_hit_who_had_a_way_out) {
+TEST(MoverSights, nobody_alone_is_hit_who_had_an_evasion) {
   int with_way_out = 0;
   PlanWorkspace workspace;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -65,7 +65,7 @@ Scenario walled_in(double speed) {
   return scene;
 }
 
-TEST(MoverSights, count_who_had_a_way_out_and_was_hit) {
+TEST(MoverSights, count_who_had_an_evasion_and_was_hit) {
   const RunSummary summary = run(walled_in(1.0), 120);
   EXPECT_GE(summary.mover_collisions, 2);
   EXPECT_EQ(summary.mover_collisions_evadable, 1) << "the slow ones had no evasive maneuver";

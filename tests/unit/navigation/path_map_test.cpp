@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways beside brute force, in mazes and through narrow doors: by graphs, and by fields.
+// Routes beside brute force, in mazes and through narrow doors: by graphs, and by fields.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,13 +19,13 @@ using test::turned;
 constexpr double kMapRadius = 0.5;
 
 // Of every map, with all pairs of corners joined, with those that are near, and with a lattice.
-class Ways : public testing::TestWithParam<Joining> {
+class RoutesByMap : public testing::TestWithParam<Joining> {
  protected:
   static CornerGraph graph_of(const std::vector<Wall>& walls, double radius) {
     return corner_graph(walls, radius, GetParam());
   }
 };
-INSTANTIATE_TEST_SUITE_P(PathMap, Ways,
+INSTANTIATE_TEST_SUITE_P(PathMap, RoutesByMap,
                          testing::Values(Joining::all, Joining::near, Joining::lattice),
                          [](const auto& kind) {
                            return kind.param == Joining::all    ? "graph"
@@ -73,7 +73,7 @@ double brute_force(const std::vector<Wall>& walls, Vec2 from, Vec2 to, double ro
   return length[1];
 }
 
-TEST_P(Ways, AreAsShortAsBruteForce) {
+TEST_P(RoutesByMap, AreAsShortAsBruteForce) {
   int ways = 0;
   double most = 0.0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -123,7 +123,7 @@ double followed(const std::vector<Wall>& walls, const CornerGraph& graph, const 
   return -1.0;
 }
 
-TEST_P(Ways, LeadThroughMazes) {
+TEST_P(RoutesByMap, LeadThroughMazes) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const std::vector<Wall> walls = test::maze(10, 3.0, seed);
     const CornerGraph graph = graph_of(walls, kMapRadius);
@@ -138,7 +138,7 @@ TEST_P(Ways, LeadThroughMazes) {
   }
 }
 
-TEST_P(Ways, LeadThroughNarrowDoors) {
+TEST_P(RoutesByMap, LeadThroughNarrowDoors) {
   for (const double more : {0.3, 0.12, 0.05, 1e-2, 1e-3, 1e-6}) {
     const std::vector<Wall> walls = test::two_rooms(2.0 * kMapRadius + more);
     const CornerGraph graph = graph_of(walls, kMapRadius);
@@ -162,7 +162,7 @@ std::vector<Wall> narrow_bend(double width, double turn) {
           {corner, corner + 12.0 * way, 0.0}};
 }
 
-TEST_P(Ways, LeadAroundNarrowBends) {
+TEST_P(RoutesByMap, LeadAroundNarrowBends) {
   for (const double turn : {0.5, 1.0, 1.3, 0.5 * M_PI, 2.0}) {
     for (const double more : {0.3, 0.1, 0.09, 0.05, 0.03, 0.015, 1e-3, 1e-5}) {
       const double width = 2.0 * kMapRadius + more, angle = 0.7 + 3.0 * turn;
@@ -182,7 +182,7 @@ TEST_P(Ways, LeadAroundNarrowBends) {
 }
 
 // Thick discs, between which each way has a room of its own: nobody turns back for more room.
-TEST_P(Ways, LeadThroughDiscs) {
+TEST_P(RoutesByMap, LeadThroughDiscs) {
   int ways = 0;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     test::Random random(seed);
@@ -213,7 +213,7 @@ TEST_P(Ways, LeadThroughDiscs) {
 }
 
 // What the map calls a way is one, and no place that a fair door leads to lacks one.
-TEST_P(Ways, AreOnlyWhereThereIsOne) {
+TEST_P(RoutesByMap, AreOnlyWhereThereIsOne) {
   int none = 0, lost = 0, some = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const std::vector<Wall> walls = test::random_walls(45, 10.0, seed);
@@ -239,7 +239,7 @@ TEST_P(Ways, AreOnlyWhereThereIsOne) {
 
 // A way around a gap that is closed is one among the same walls and one more across the gap, but
 // for what it keeps from that.
-TEST_P(Ways, LeadAroundClosedGaps) {
+TEST_P(RoutesByMap, LeadAroundClosedGaps) {
   std::vector<Wall> walls;
   for (const double x : {0.0, 10.0}) {
     for (const double y : {-6.0, 0.0, 6.0}) walls.push_back({{x, y - 2.2}, {x, y + 2.2}});
@@ -273,7 +273,7 @@ TEST_P(Ways, LeadAroundClosedGaps) {
             PathMap::kNothing);
 }
 
-TEST_P(Ways, AreNoneToAGoalNearerThanTheRadiusToAWall) {
+TEST_P(RoutesByMap, AreNoneToAGoalNearerThanTheRadiusToAWall) {
   const CornerGraph graph = graph_of(test::two_rooms(2.0), kMapRadius);
   EXPECT_FALSE(path_map(graph, {10.0 - kMapRadius + 1e-9, 2.0}).is_free);
   EXPECT_TRUE(path_map(graph, {10.0 - kMapRadius, 2.0}).is_free);
@@ -281,7 +281,7 @@ TEST_P(Ways, AreNoneToAGoalNearerThanTheRadiusToAWall) {
   EXPECT_EQ(leg_from(graph, map, {3, 3}, PathMap::kNothing, false).target, PathMap::kNothing);
 }
 
-TEST_P(Ways, AmongLoosePiecesAreThoseAmongTheWallsThatTheyMakeUp) {
+TEST_P(RoutesByMap, AmongLoosePiecesAreThoseAmongTheWallsThatTheyMakeUp) {
   // one wall with a right-angled end, whole, in overlapping pieces, and in pieces end to end
   const std::vector<Wall> whole{{{0, 0}, {10, 0}, 0}, {{10, 0}, {10, 5}, 0}};
   std::vector<Wall> pieces;
@@ -298,7 +298,7 @@ TEST_P(Ways, AmongLoosePiecesAreThoseAmongTheWallsThatTheyMakeUp) {
               1e-6);
 }
 
-TEST_P(Ways, AreSlowBeforeTurns) {
+TEST_P(RoutesByMap, AreSlowBeforeTurns) {
   // around the end of a wall: v² = 2 a W / sin² φ + 1.6 a d, and never more before later turns
   const CornerGraph graph = graph_of(std::vector<Wall>{{{0, 0}, {0, 50}, 0}}, kMapRadius);
   const PathMap map = path_map(graph, {0.6, 40});

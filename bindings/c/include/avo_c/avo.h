@@ -915,7 +915,7 @@ AVO_C_API avo_result avo_simulation_get_distance_left(avo_simulation_id simulati
 typedef struct avo_wait {
   bool waits;          ///< if false, the other members have no meaning
   avo_vec2 passage;    ///< m, the middle of its axis
-  avo_robot_id robot;  ///< the robot that comes towards it, or is in its path
+  avo_robot_id robot;  ///< the robot that comes towards it, or stands in its path
   bool inside;         ///< whether that robot is in the passage
   avo_vec2 a, b;       ///< m, the two sides of the passage where it is narrowest
 } avo_wait;

@@ -110,7 +110,7 @@ TEST(FlightEvasion, nobody_is_hit_alone_among_movers) {
 
 // Once there is an evasive maneuver, there is one in each later state (docs/movers.md, "What is
 // proved").
-TEST(FlightEvasion, a_way_out_leaves_another_one) {
+TEST(FlightEvasion, an_evasion_leaves_another_one) {
   Random random(35);
   int known = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -281,7 +281,7 @@ TEST(FlightEvasion, is_told_with_the_beginning_of_the_circle) {
   EXPECT_GT(named, evading / 2);
 }
 
-TEST(FlightEvasion, there_is_a_way_out_or_not) {
+TEST(FlightEvasion, there_is_an_evasion_or_not) {
   const Planner planner(default_options(Method::avo));
   PlanWorkspace workspace;
   const Robot robot = airplane_in_flight();

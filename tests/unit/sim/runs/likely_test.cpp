@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out from movers that are likely to deviate: as much of it is reckoned with as leaves a way
-// (docs/movers.md, "Who is likely to deviate").
+// Evasive maneuvers beside movers that are likely to deviate: as much of it is reckoned with as
+// leaves a maneuver (docs/movers.md, "Who is likely to deviate").
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -70,7 +70,7 @@ TEST(LikelyDeviation, makes_room_for_one_that_goes_by) {
   EXPECT_GE(likely.clearance, exact.clearance);
 }
 
-// All of it leaves no way at all.
+// All of it leaves no maneuver at all.
 TEST(LikelyDeviation, takes_no_way_away_however_large) {
   for (const double likely : {1.0, 10.0, 1e3, 1e6}) {
     for (const double speed : {2.0, 3.0, 4.0, 5.0})

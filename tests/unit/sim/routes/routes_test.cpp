@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots follow their routes around walls.
+#include "guidance/routes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -7,7 +9,6 @@
 #include <string>
 
 #include "avo/simulation.h"
-#include "guidance/routes.h"
 #include "sim/columns/fleet.h"
 #include "unit/sim/walled_scenes.h"
 
@@ -20,7 +21,7 @@ Scenario scene_among(const std::vector<Wall>& walls) {
   return scene;
 }
 
-TEST(Ways, ALoneRobotGetsThroughAMazeInTime) {
+TEST(Routes, ALoneRobotGetsThroughAMazeInTime) {
   double worst = 0.0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const std::vector<Wall> walls = test::maze(10, 3.0, seed);
@@ -45,7 +46,7 @@ TEST(Ways, ALoneRobotGetsThroughAMazeInTime) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-TEST(Ways, WithoutNavigationItHeadsStraightForItsGoal) {
+TEST(Routes, WithoutNavigationItHeadsStraightForItsGoal) {
   Scenario scene = scene_among(test::two_rooms(2.0));
   scene.robots = {test::robot_at({3, 8}, {17, 8})};
   EXPECT_LT(Simulation(scene, 1).perceive({0}).robot.preferred_velocity.y, -0.1);
@@ -53,7 +54,7 @@ TEST(Ways, WithoutNavigationItHeadsStraightForItsGoal) {
   EXPECT_EQ(Simulation(scene, 1).perceive({0}).robot.preferred_velocity.y, 0.0);
 }
 
-TEST(Ways, DistanceToTheGoalIsThatOfTheWay) {
+TEST(Routes, DistanceToTheGoalIsThatOfTheRoute) {
   Scenario scene = scene_among(test::two_rooms(2.0));
   scene.robots = {test::robot_at({9, 9}, {11, 9})};
   const Robot robot = Simulation(scene, 1).perceive({0}).robot;
@@ -61,7 +62,7 @@ TEST(Ways, DistanceToTheGoalIsThatOfTheWay) {
   EXPECT_LT(robot.distance_to_goal, 9.0);
 }
 
-TEST(Ways, AWallBetweenMeansNotArrived) {
+TEST(Routes, AWallBetweenMeansNotArrived) {
   Scenario scene = scene_among({{{0, -5}, {0, 5}, 0}});
   RobotSetup robot = test::robot_at({-0.1, 0}, {0.1, 0});
   robot.radius = 0.05;
@@ -75,7 +76,7 @@ TEST(Ways, AWallBetweenMeansNotArrived) {
 }
 
 // Nor does one in two pieces that touch right between.
-TEST(Ways, AJointOfWallsBetweenMeansNotArrived) {
+TEST(Routes, AJointOfWallsBetweenMeansNotArrived) {
   for (const double x : {0.1, 0.3}) {
     Scenario scene = scene_among({{{0, -5}, {0, 0}, 0}, {{0, 0}, {0, 5}, 0}});
     RobotSetup robot = test::robot_at({-0.1, 0}, {x, 0});
@@ -85,7 +86,7 @@ TEST(Ways, AJointOfWallsBetweenMeansNotArrived) {
   }
 }
 
-TEST(Ways, TellsWhoCannotReachItsGoal) {
+TEST(Routes, TellsWhoCannotReachItsGoal) {
   Scenario scene = scene_among(test::two_rooms(1.2));
   scene.robots = {test::robot_at({3, 3}, {17, 3}), test::robot_at({3, 6}, {17, 6}),
                   test::robot_at({5, 8}, {9.8, 8}), test::robot_at({7, 2}, {-5, 2})};
@@ -106,14 +107,14 @@ TEST(Ways, TellsWhoCannotReachItsGoal) {
   EXPECT_EQ(Simulation(scene, 1).unreachable(), lost);
 }
 
-TEST(Ways, AreTheSameForAnyNumberOfThreads) {
+TEST(Routes, AreTheSameForAnyNumberOfThreads) {
   const Scenario scene = test::crowded_maze(300);
   Simulation one(scene, 1), three(scene, 3);
   for (int k = 0; k < 60; ++k) one.step(), three.step();
   EXPECT_EQ(one.state_hash(), three.state_hash());
 }
 
-TEST(Ways, PerceiveIsWhatTheStepDecidesOn) {
+TEST(Routes, PerceiveIsWhatTheStepDecidesOn) {
   const Scenario scene = test::crowded_maze(40);
   Simulation simulation(scene, 1);
   for (int k = 0; k < 25; ++k) simulation.step();
@@ -130,7 +131,7 @@ TEST(Ways, PerceiveIsWhatTheStepDecidesOn) {
   }
 }
 
-TEST(Ways, GoOnAfterARestore) {
+TEST(Routes, GoOnAfterARestore) {
   const Scenario scene = test::crowded_maze(80);
   Simulation simulation(scene, 1);
   for (int k = 0; k < 47; ++k) simulation.step();
@@ -142,7 +143,7 @@ TEST(Ways, GoOnAfterARestore) {
   EXPECT_EQ(simulation.state_hash(), later);
 }
 
-TEST(Ways, OnMapsOfManyCornersLeadToAllGoals) {
+TEST(Routes, OnMapsOfManyCornersLeadToAllGoals) {
   Scenario scene = test::noise_scene(12);
   scene.robots.push_back(test::robot_at({-4, 30}, {-4, -5}));
   Simulation simulation(scene, 2);
@@ -153,7 +154,7 @@ TEST(Ways, OnMapsOfManyCornersLeadToAllGoals) {
   EXPECT_TRUE(simulation.all_at_goal());
 }
 
-TEST(Ways, OnMapsOfManyCornersGoOnAfterARestore) {
+TEST(Routes, OnMapsOfManyCornersGoOnAfterARestore) {
   const Scenario scene = test::noise_scene(12);
   Simulation simulation(scene, 2);
   for (int k = 0; k < 47; ++k) simulation.step();
@@ -164,7 +165,7 @@ TEST(Ways, OnMapsOfManyCornersGoOnAfterARestore) {
   EXPECT_EQ(simulation.state_hash(), other.state_hash());
 }
 
-TEST(Ways, RadiiOfTwoDigitsAreClassesAndTheOthersGoUpToThem) {
+TEST(Routes, RadiiOfTwoDigitsAreClassesAndTheOthersGoUpToThem) {
   for (double scale : {1e-3, 1e-2, 0.1, 1.0}) {
     for (int digits = 10; digits < 100; ++digits) {
       const double radius = digits * 1000.0 / std::round(1000.0 / scale);
@@ -190,7 +191,7 @@ TEST(Ways, RadiiOfTwoDigitsAreClassesAndTheOthersGoUpToThem) {
 }
 
 // A door wide enough for the robot, but not for its class.
-TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
+TEST(Routes, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
   const double radius = 0.5001;
   Scenario scene = scene_among(test::two_rooms(2.0 * radius + 2e-3));
   scene.robots = {test::robot_at({3, 7}, {17, 7}), test::robot_at({3, 8.1}, {0.5002, 8}),
@@ -214,7 +215,7 @@ TEST(Ways, ThoseWhomOnlyTheirVeryRadiusLetsThroughGetThrough) {
 }
 
 // A robot that others push to where its class has no room.
-TEST(Ways, FromBesideAWallThereIsAWay) {
+TEST(Routes, FromBesideAWallThereIsARoute) {
   const Scenario scene = scene_among(test::two_rooms(2.0));
   Routes routes(RouteRules{}, walls_of(scene.obstacles), {});
   RobotSetup setup = test::robot_at({3, 9}, {11, 9});

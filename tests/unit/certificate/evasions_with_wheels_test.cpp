@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out of robots with wheels (docs/movers.md): their arcs are clear where ways are called
-// clear, and what is left of a way after a step is a way.
+// Evasive maneuvers of robots with wheels (docs/movers.md): their arcs are clear where maneuvers
+// are called clear, and what is left of a maneuver after a step is one.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -141,7 +141,7 @@ double sampled_braking(const Case& c, MotionState state, double time) {
   return least;
 }
 
-TEST(WaysWithWheels, that_are_clear_touch_nobody) {
+TEST(EvasionsWithWheels, that_are_clear_touch_nobody) {
   test::Random random(21);
   int clear = 0;
   for (int trial = 0; trial < 800; ++trial) {
@@ -158,12 +158,12 @@ TEST(WaysWithWheels, that_are_clear_touch_nobody) {
       room = std::min(room, sampled_step(c, state, later, time));
       state = later, time += h;
     }
-    ASSERT_GE(best, -1e-6) << trial << ": it brakes nowhere on that way without being touched";
+    ASSERT_GE(best, -1e-6) << trial << ": it brakes nowhere in that maneuver without being touched";
   }
   EXPECT_GT(clear, 200);
 }
 
-// As A sees it after a step of its way, others as they were predicted.
+// As A sees it after a step of its maneuver, others as they were predicted.
 Case after_step(Case& c) {
   Case later = c;
   const MotionState next = moved(c, {{}, c.now.velocity, c.now.heading}, c.next());
@@ -179,7 +179,7 @@ Case after_step(Case& c) {
   return later;
 }
 
-TEST(WaysWithWheels, what_is_left_of_a_clear_maneuver_is_one) {
+TEST(EvasionsWithWheels, what_is_left_of_a_clear_maneuver_is_one) {
   test::Random random(22);
   int clear = 0;
   for (int trial = 0; trial < 6000; ++trial) {
@@ -197,7 +197,7 @@ TEST(WaysWithWheels, what_is_left_of_a_clear_maneuver_is_one) {
 }
 
 // An arc comes nearer to some places than the parabola between its ends.
-TEST(WaysWithWheels, keep_clear_of_what_the_arc_of_a_step_touches) {
+TEST(EvasionsWithWheels, keep_clear_of_what_the_arc_of_a_step_touches) {
   test::Random random(23);
   for (int trial = 0; trial < 4000; ++trial) {
     Case c = random_case(random, kKinds * trial + 4);  // with a disc off the axle
@@ -218,8 +218,8 @@ TEST(WaysWithWheels, keep_clear_of_what_the_arc_of_a_step_touches) {
   }
 }
 
-// Who cannot turn in place goes nowhere aside at once: ways are no straight lines to w.
-TEST(WaysWithWheels, are_what_the_robot_can_drive) {
+// A robot that cannot turn in place moves nowhere aside at once: no maneuver is straight.
+TEST(EvasionsWithWheels, are_what_the_robot_can_drive) {
   Case c;
   c.robot.model = Car{.max_curvature = 0.5};
   c.options = {.law = {}, .increment = 0.1, .decrement = 0.1, .max_speed = 2.0, .longest = 4.0};

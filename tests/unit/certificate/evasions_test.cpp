@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out (docs/movers.md): what is called clear is clear, and stays so as A goes that way.
+// Evasive maneuvers (docs/movers.md): what is called clear is clear, and stays so as A executes it.
+#include "certificate/evasions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
 
-#include "certificate/evasions.h"
 #include "core/plane.h"
 #include "support/generators.h"
 
@@ -41,7 +42,7 @@ double sampled_rest(const Predicted& other, Vec2 place, double time) {
   return least;
 }
 
-TEST(WaysOut, rest_that_is_clear_is_never_touched) {
+TEST(Evasions, rest_that_is_clear_is_never_touched) {
   test::Random random(1);
   int clear = 0, touched = 0;
   for (int trial = 0; trial < 3000; ++trial) {
@@ -130,7 +131,7 @@ std::vector<Vec2> with_braking(std::vector<Vec2> velocities, const EvasionOption
   return velocities;
 }
 
-TEST(WaysOut, that_are_clear_touch_nobody) {
+TEST(Evasions, that_are_clear_touch_nobody) {
   test::Random random(2);
   int clear = 0;
   for (int trial = 0; trial < 1500; ++trial) {
@@ -146,7 +147,7 @@ TEST(WaysOut, that_are_clear_touch_nobody) {
       best = sampled_room(c, with_braking(velocities, c.options));
       velocities.push_back(approach(velocities.back(), c.w, c.options.increment));
     }
-    ASSERT_GE(best, -1e-6) << trial << ": it brakes nowhere on that way without being touched";
+    ASSERT_GE(best, -1e-6) << trial << ": it brakes nowhere in that maneuver without being touched";
   }
   EXPECT_GT(clear, 300);
 }
@@ -158,7 +159,7 @@ Hull interval_of(Vec2 place, Vec2 v, Vec2 next, const StepLaw& law) {
 
 // Intervals of braking are left out where the other one is too far away to matter; all of them are
 // looked at here.
-TEST(WaysOut, that_are_clear_stop_in_time_in_every_interval) {
+TEST(Evasions, that_are_clear_stop_in_time_in_every_interval) {
   test::Random random(4);
   int clear = 0;
   for (int trial = 0; trial < 4000; ++trial) {
@@ -207,9 +208,9 @@ Case after_step(const Case& c) {
   return later;
 }
 
-// Remainders: after a step of a clear way, the rest of it is a clear way, or its braking is clear.
+// Remainders: after a step of a clear maneuver, the rest of it is clear, or its braking is clear.
 // The second time, less is kept, by what rounding may cost.
-TEST(WaysOut, what_is_left_of_a_clear_maneuver_is_one) {
+TEST(Evasions, what_is_left_of_a_clear_maneuver_is_one) {
   test::Random random(3);
   int clear = 0;
   for (int trial = 0; trial < 6000; ++trial) {

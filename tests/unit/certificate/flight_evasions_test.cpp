@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways out of airplanes (docs/movers.md, "Airplanes"): what is called clear is clear for ever, and
-// stays so as A flies that way. Judged by places on arcs that are computed from the equations.
+// Evasive maneuvers of airplanes (docs/movers.md, "Airplanes"): what is called clear is clear for
+// ever, and stays so as A executes it. Judged by places on arcs that are computed from the
+// equations.
+#include "certificate/flight_evasions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
 
-#include "certificate/flight_evasions.h"
 #include "core/plane.h"
 #include "support/generators.h"
 
@@ -102,8 +104,8 @@ void fly_one_step(const FlightCase& c, FlightControl control, Sampled& at) {
   at.speed = next;
 }
 
-// Flies as the last clear way says, and then for a minute on its circle.
-double sampled_room_of_way(const FlightCase& c) {
+// Flies as the last clear maneuver says, and then for a minute on its circle.
+double sampled_room_of(const FlightCase& c) {
   Sampled at = sampled_start(c);
   const double half_step = 0.5 * c.options.law.time_step;
   while (at.time < c.around.last.time - half_step) fly_one_step(c, c.control, at);
@@ -112,7 +114,7 @@ double sampled_room_of_way(const FlightCase& c) {
   return at.room;
 }
 
-TEST(FlightWays, that_are_clear_touch_nobody_for_ever) {
+TEST(FlightEvasions, that_are_clear_touch_nobody_for_ever) {
   test::Random random(1);
   int clear = 0, at_once = 0;
   for (int trial = 0; trial < 1500; ++trial) {
@@ -120,10 +122,10 @@ TEST(FlightWays, that_are_clear_touch_nobody_for_ever) {
     begin(c);
     if (c.around.walls.empty() && may_circle(c.options, c.around)) {
       ++at_once;
-      ASSERT_GE(sampled_room_of_way(c), -1e-6) << trial;
+      ASSERT_GE(sampled_room_of(c), -1e-6) << trial;
     } else if (may_circle_after(c.options, c.around, c.control)) {
       ++clear;
-      ASSERT_GE(sampled_room_of_way(c), -1e-6) << trial;
+      ASSERT_GE(sampled_room_of(c), -1e-6) << trial;
     }
   }
   EXPECT_GT(at_once, 200);
@@ -148,7 +150,7 @@ FlightCase after_step(const FlightCase& c) {
   return later;
 }
 
-TEST(FlightWays, what_is_left_of_a_clear_maneuver_is_one) {
+TEST(FlightEvasions, what_is_left_of_a_clear_maneuver_is_one) {
   test::Random random(2);
   int clear = 0;
   for (int trial = 0; trial < 1500; ++trial) {
@@ -167,9 +169,9 @@ TEST(FlightWays, what_is_left_of_a_clear_maneuver_is_one) {
   EXPECT_GT(clear, 150);
 }
 
-// In long steps the arc leaves the parabola through its ends: the largest contact that a clear way
-// leaves is looked for.
-TEST(FlightWays, keep_clear_of_what_the_arc_of_a_step_touches) {
+// In long steps the arc leaves the parabola through its ends: the largest contact that a clear
+// maneuver leaves is looked for.
+TEST(FlightEvasions, keep_clear_of_what_the_arc_of_a_step_touches) {
   test::Random random(4);
   int clear = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -189,13 +191,13 @@ TEST(FlightWays, keep_clear_of_what_the_arc_of_a_step_touches) {
     begin(c);
     if (!may_circle_after(c.options, c.around, c.control)) continue;
     ++clear;
-    ASSERT_GE(sampled_room_of_way(c), -1e-6) << trial;
+    ASSERT_GE(sampled_room_of(c), -1e-6) << trial;
   }
   EXPECT_GT(clear, 100);
 }
 
-// A way that is refused comes too near to somebody, or its circles do.
-TEST(FlightWays, are_refused_for_a_reason) {
+// A maneuver that is refused comes too near to somebody, or its circles do.
+TEST(FlightEvasions, are_refused_for_a_reason) {
   test::Random random(3);
   int refused = 0;
   for (int trial = 0; trial < 800; ++trial) {

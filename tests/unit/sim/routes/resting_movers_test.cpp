@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways around movers at rest (docs/navigation.md, "Movers at rest").
+// Routes around movers at rest (docs/navigation.md, "Movers at rest").
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
