@@ -134,6 +134,10 @@ void CsvRows::read_header() {
   split(*line, fields);
   columns = fields.size();
   headings = has_column(kAllColumns[heading_column]) && has_column(kAllColumns[speed_column]);
+  if (has_column("z") && has_column("vz"))
+    refuse(1,
+           "found the columns z and vz of space, must be a recording of the plane here: a scene "
+           "with space: 3 judges those of space");
   const std::size_t count = headings ? kAllColumns.size() : kRequired;
   for (std::size_t k = 0; k < count; ++k) at[k] = find_column(kAllColumns[k]);
   if (has_column(kEvery)) every_at = find_column(kEvery);

@@ -127,10 +127,13 @@ StaticObstacle build(const Place& place, RosMapObstacle& entry) {
   return obstacle_of(place, "ros_map", source.name(), grid);
 }
 
-/// Reads the entry of the only kind with a key that is present.
 template <class... Kinds>
-StaticObstacle build_any(const Place& place, const std::variant<Kinds...>*) {
-  const std::vector<std::string_view> kinds{fields<Kinds>().front().key...};
+std::vector<std::string_view> kinds_of(const std::variant<Kinds...>*) {
+  return {fields<Kinds>().front().key...};
+}
+
+template <class... Kinds>
+std::vector<std::string_view> keys_of_all(const std::variant<Kinds...>*) {
   std::vector<std::string_view> keys;
   const auto add_key = [&keys](std::string_view key) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
@@ -139,6 +142,15 @@ StaticObstacle build_any(const Place& place, const std::variant<Kinds...>*) {
     for (const auto& field : table) add_key(field.key);
   };
   (add_keys(fields<Kinds>()), ...);
+  return keys;
+}
+
+constexpr const ObstacleEntry* kEntry = nullptr;
+
+/// Reads the entry of the only kind with a key that is present.
+template <class... Kinds>
+StaticObstacle build_any(const Place& place, const std::variant<Kinds...>*) {
+  const std::vector<std::string_view> kinds = obstacle_kinds(), keys = obstacle_keys();
   const auto& [reader, node, path, files, maps] = place;
   reader.check_keys(node, path, keys);
   const auto given = std::count_if(kinds.begin(), kinds.end(), [&place](std::string_view kind) {
@@ -161,10 +173,18 @@ StaticObstacle build_any(const Place& place, const std::variant<Kinds...>*) {
 
 }  // namespace
 
+std::vector<std::string_view> obstacle_kinds() {
+  return kinds_of(kEntry);
+}
+
+std::vector<std::string_view> obstacle_keys() {
+  return keys_of_all(kEntry);
+}
+
 StaticObstacle read_static_obstacle(const Reader& reader, const YamlNode& node,
                                     const std::string& path, SceneFiles& files,
                                     std::vector<NamedMap>& maps) {
-  return build_any({reader, node, path, files, maps}, static_cast<const ObstacleEntry*>(nullptr));
+  return build_any({reader, node, path, files, maps}, kEntry);
 }
 
 }  // namespace avo_io

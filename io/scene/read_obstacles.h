@@ -2,6 +2,7 @@
 // Reads entries of `obstacles`, and the robots of a map's scenario.
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/fields/fields.h"
@@ -20,6 +21,10 @@ struct NamedMap {
   std::string file;
   OccupancyGrid grid;
 };
+
+/// The keys of which an obstacle has one, and all keys that an obstacle may have.
+std::vector<std::string_view> obstacle_kinds();
+std::vector<std::string_view> obstacle_keys();
 
 /// Reads an obstacle, and appends maps that scenarios may refer to to `maps`.
 avo::StaticObstacle read_static_obstacle(const Reader& reader, const YamlNode& node,

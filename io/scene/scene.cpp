@@ -19,6 +19,7 @@
 #include "io/files/file_names.h"
 #include "io/maps/stairs.h"
 #include "io/recording/recorded_scene.h"
+#include "io/scene/origins.h"
 #include "io/scene/overrides.h"
 #include "io/scene/placement.h"
 #include "io/scene/read_obstacles.h"
@@ -237,36 +238,9 @@ class SceneBuilder {
   }
 
   void validate() const {
-    avo::retelling<avo::Error>([this] { avo::validate(scenario_); },
-                               [this](const avo::Error& error) {
-                                 const std::string message = error.what();
-                                 document_.fail(origin_of(message.substr(0, message.find(':'))),
-                                                message);
-                               });
-  }
-
-  /// Returns the value with that path, or the value that contains it.
-  const YamlNode& origin_of(std::string_view path) const {
-    const YamlNode* node = &document_.root;
-    while (!path.empty()) {
-      const std::size_t dot = std::min(path.find('.'), path.size());
-      const std::string part(path.substr(0, dot));
-      path.remove_prefix(std::min(dot + 1, path.size()));
-      const YamlNode* next = node->find(part);
-      if (node->kind == YamlNode::Kind::list) {
-        const std::size_t index = std::stoul(part);
-        const bool robot = node == document_.root.find("robots");
-        if (robot)
-          next = origins_[index];
-        else if (index < node->children.size())
-          next = &node->children[index];
-      } else if (next == nullptr && part == "robots" && !path.empty()) {
-        return *origins_[std::stoul(std::string(path))];  // in a group
-      }
-      if (next == nullptr) break;
-      node = next;
-    }
-    return *node;
+    avo::retelling<avo::Error>(
+        [this] { avo::validate(scenario_); },
+        [this](const avo::Error& error) { fail_at_origin(document_, origins_, error.what()); });
   }
 
   const Document& document_;
@@ -300,7 +274,8 @@ void require_plane(Document& document) {
   if (space == nullptr) return;
   if (space->kind != YamlNode::Kind::text || space->text != "2")
     Reader(document).fail(*space, std::string(kSpace), shown(*space),
-                          "must be 2 here; generate and reports of sweeps have the plane alone");
+                          "must be 2 here; scenes of space: avo.space.run and the like in Python, "
+                          "avo_c/space.h in C, no generate, no reports of sweeps");
   for (std::size_t k = 0; k + 1 < children.size(); k += 2) {
     if (children[k].text != kSpace) continue;
     children.erase(children.begin() + static_cast<std::ptrdiff_t>(k),

@@ -39,7 +39,8 @@ Json space_mover_schema() {
   return json;
 }
 
-// An obstacle with one key, or one of the plane with `height`.
+// An obstacle with one key, or one of the plane with `height`, without what robots of the plane
+// alone heed.
 Json space_obstacle_schema(const Json& plane_obstacles) {
   const Json height = number_schema(avo::kAnyValue);
   Json forms = Json::array();
@@ -53,6 +54,7 @@ Json space_obstacle_schema(const Json& plane_obstacles) {
   add("ceiling", height);
   add("box", map_schema(fields<SpaceBox>()));
   for (Json form : plane_obstacles["oneOf"]) {
+    for (const char* key : {"layers", "solid", "as"}) form["properties"].erase(key);
     form["properties"]["height"] = point_schema(avo::kAnyValue);
     forms.push_back(std::move(form));
   }

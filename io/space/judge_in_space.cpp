@@ -41,6 +41,7 @@ Judgement judge_in_space(const std::string& recording, const avo::space::Scenari
     judgement.every = std::max(judgement.every, moment->every);
     if (std::abs(step - scene.time_step) > 1e-6 * scene.time_step) ++judgement.uneven_steps;
     if (is_later && (moment->every > 1 || step > 1.5 * scene.time_step)) check.skip();
+    rows.require_known(*moment, scene.robots.size());
     try {
       check.add(moment->time, moment->rows, avo::space::mover_states(scene, moment->time));
     } catch (const avo::Error& error) {

@@ -10,6 +10,10 @@
 
 namespace avo_io {
 
+/// Refuses corners of which one coordinate of `min` exceeds that of `max`.
+void require_ascending(const Reader& reader, const YamlNode& node, const std::string& path,
+                       const avo::Vec3& min, const avo::Vec3& max);
+
 /// Appends the boxes of an obstacle: a floor, a ceiling, a box, or an obstacle of the plane between
 /// two heights.
 void read_boxes(const Reader& reader, const YamlNode& node, const std::string& path,

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/space/read_boxes.h"
 #include "io/space/read_robot.h"
 
 namespace avo_io {
@@ -28,7 +29,12 @@ SpacePlacement read_space_placement(const Reader& reader, const YamlNode& group,
                 "must have one of sphere, box, grid");
   if (sphere != nullptr)
     return read_part<SpherePlacement>(reader, *sphere, path_to(path, "sphere"));
-  if (box != nullptr) return read_part<BoxPlacement>(reader, *box, path_to(path, "box"));
+  if (box != nullptr) {
+    const std::string inside = path_to(path, "box");
+    const auto placement = read_part<BoxPlacement>(reader, *box, inside);
+    require_ascending(reader, *box, inside, placement.min, placement.max);
+    return placement;
+  }
   return read_part<SpaceGridPlacement>(reader, *grid, path_to(path, "grid"));
 }
 

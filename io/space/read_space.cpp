@@ -10,6 +10,7 @@
 #include "avo_io/space.h"
 #include "core/retell.h"
 #include "io/files/file_names.h"
+#include "io/scene/origins.h"
 #include "io/scene/overrides.h"
 #include "io/scene/read_parts.h"
 #include "io/scene/reader.h"
@@ -82,6 +83,7 @@ class SpaceBuilder {
     for (const YamlNode& node : list->children) {
       const std::string path = fmt::format("robots.{}", scenario_.robots.size());
       read_robot(reader_, node, path, scenario_.robots.emplace_back(), false);
+      origins_.push_back(&node);
     }
   }
 
@@ -91,6 +93,7 @@ class SpaceBuilder {
       reader_.fail(patch.map, "", path,
                    fmt::format("must be robots.0 to robots.{}", scenario_.robots.size() - 1));
     read_robot(reader_, patch.map, path, scenario_.robots[patch.robot], true);
+    origins_[patch.robot] = &patch.map;
   }
 
   void read_groups() {
@@ -106,6 +109,7 @@ class SpaceBuilder {
                      fmt::format("must be at most {}", most_robots_));
       const std::string trouble = append_group(group, i, scenario_);
       if (!trouble.empty()) document_.fail(node, path_to(path, trouble));
+      origins_.resize(scenario_.robots.size(), &node);
     }
   }
 
@@ -134,7 +138,7 @@ class SpaceBuilder {
   void validate() const {
     avo::retelling<avo::Error>(
         [this] { avo::space::validate(scenario_); },
-        [this](const avo::Error& error) { document_.fail(document_.root, error.what()); });
+        [this](const avo::Error& error) { fail_at_origin(document_, origins_, error.what()); });
   }
 
   const Document& document_;
@@ -142,6 +146,7 @@ class SpaceBuilder {
   SceneFiles& files_;
   std::int64_t most_robots_;
   std::vector<NamedMap> maps_;
+  std::vector<const YamlNode*> origins_;  // of each robot: its own map, its group's, or its patch's
   Scenario scenario_;
 };
 

@@ -46,13 +46,7 @@ struct MomentChecks {
     if (moment.time > scene.duration * (1.0 + kOfStep))
       rows.fail(fmt::format("found {} s, must be <= {} s, the duration of the scene", moment.time,
                             scene.duration));
-    std::int64_t before = -1;
-    for (const avo::space::CheckedState& row : moment.rows) {
-      if (row.robot <= before || row.robot >= static_cast<std::int64_t>(scene.robots.size()))
-        rows.fail(fmt::format("found robot {}, must ascend and be less than {}, those of the scene",
-                              row.robot, scene.robots.size()));
-      before = row.robot;
-    }
+    rows.require_known(moment, scene.robots.size());
   }
 };
 
@@ -65,7 +59,7 @@ Converted write_recording(SpaceRows& rows, const std::string& output,
     checks.check(rows, *moment);
     if (!recording)
       recording.emplace(output, scene.scenario, scene.header.scene,
-                        RecordingOptions{.every = moment->every});
+                        RecordingOptions{.every = moment->every}, true);
     recording->add(*moment);
     count(*moment, result);
   }

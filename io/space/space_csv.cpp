@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recordings of space as CSV: read row by row, and written.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
 #include <fmt/format.h>
 #include <optional>
+#include <vector>
 
 #include "avo_io/errors.h"
 #include "io/recording/csv_lines.h"
@@ -28,40 +30,75 @@ class SpaceCsvRows final : public SpaceRowSource {
     columns_ = first == std::string(kSpaceCsvHeader) + std::string(kEveryColumn) ? kEveryColumns
                                                                                  : kColumns;
     if (columns_ == kColumns && first != kSpaceCsvHeader)
-      fail(fmt::format("found \"{}\", must be \"{}\"", first, kSpaceCsvHeader));
+      fail(1, fmt::format("found \"{}\", must be \"{}\"", first, kSpaceCsvHeader));
     ahead_ = read();
   }
   const SpaceMoment* next() override;
-  [[nodiscard]] std::string place() const override {
-    return fmt::format("{}:{}", lines_.name(), lines_.number());
-  }
+  [[nodiscard]] std::string place(std::optional<std::int64_t> robot) const override;
 
  private:
   struct Row {
     double time = 0.0;  // s
     CheckedState state;
-    std::int64_t every = 1;
+    std::int64_t every = 1, line = 0;
   };
-  [[noreturn]] void fail(const std::string& what) const {
-    throw RecordingError(fmt::format("{}: {}", place(), what));
+  [[nodiscard]] std::string line_now() const {
+    return fmt::format("{}:{}", lines_.name(), lines_.number());
+  }
+  [[noreturn]] void fail(std::int64_t line, const std::string& what) const {
+    throw RecordingError(fmt::format("{}:{}: {}", lines_.name(), line, what));
   }
   std::optional<Row> read();
+  void read_group();
+  void sort_group();
 
   LineReader lines_;
   std::size_t columns_ = kColumns;
   std::optional<Row> ahead_;  // the first row of the next time
+  std::vector<Row> group_;    // the rows of the last time
+  std::int64_t last_line_ = 1;
   SpaceMoment moment_;
 };
 
+std::string SpaceCsvRows::place(std::optional<std::int64_t> robot) const {
+  const auto row = std::find_if(group_.begin(), group_.end(),
+                                [&](const Row& own) { return own.state.robot == robot; });
+  return fmt::format("{}:{}", lines_.name(), row == group_.end() ? last_line_ : row->line);
+}
+
+// Sorts the rows by ascending robot, and refuses a robot that occurs twice.
+void SpaceCsvRows::sort_group() {
+  const auto lower = [](const Row& a, const Row& b) { return a.state.robot < b.state.robot; };
+  if (!std::is_sorted(group_.begin(), group_.end(), lower))
+    std::stable_sort(group_.begin(), group_.end(), lower);
+  const auto twice =
+      std::adjacent_find(group_.begin(), group_.end(),
+                         [](const Row& a, const Row& b) { return a.state.robot == b.state.robot; });
+  if (twice == group_.end()) return;
+  const Row &first = twice[0], &second = twice[1];
+  fail(second.line, fmt::format("robot: found {} again at {} s, must be once a time (line {})",
+                                second.state.robot, second.time, first.line));
+}
+
+void SpaceCsvRows::read_group() {
+  group_.clear();
+  for (; ahead_ && (group_.empty() || ahead_->time == group_[0].time); ahead_ = read())
+    group_.push_back(*ahead_);
+  if (group_.empty()) return;
+  if (ahead_ && ahead_->time < group_[0].time)
+    fail(ahead_->line, fmt::format("time: found {} s, must be >= {} s, the time before",
+                                   ahead_->time, group_[0].time));
+  last_line_ = group_.back().line;
+  sort_group();
+}
+
 const SpaceMoment* SpaceCsvRows::next() {
   if (!ahead_) return nullptr;
-  moment_.time = ahead_->time;
-  moment_.every = ahead_->every;
+  read_group();
+  moment_.time = group_[0].time;
+  moment_.every = group_[0].every;
   moment_.rows.clear();
-  while (ahead_ && ahead_->time == moment_.time) {
-    moment_.rows.push_back(ahead_->state);
-    ahead_ = read();
-  }
+  for (const Row& row : group_) moment_.rows.push_back(row.state);
   return &moment_;
 }
 
@@ -79,9 +116,10 @@ std::optional<SpaceCsvRows::Row> SpaceCsvRows::read() {
     line.remove_prefix(comma + 1);
   }
   if (count != columns_)
-    fail(fmt::format("found {} columns, must be {}: {}{}", count, columns_, kSpaceCsvHeader,
+    fail(lines_.number(),
+         fmt::format("found {} columns, must be {}: {}{}", count, columns_, kSpaceCsvHeader,
                      columns_ == kEveryColumns ? kEveryColumn : ""));
-  const auto here = [this] { return place(); };
+  const auto here = [this] { return line_now(); };
   std::array<double, kSpaceColumns.count> state;
   for (std::size_t c = 0; c < state.size(); ++c)
     state[c] = field_number(kSpaceColumns.names[c], fields[2 + c], here);
@@ -90,6 +128,7 @@ std::optional<SpaceCsvRows::Row> SpaceCsvRows::read() {
            {state[0], state[1], state[2]},
            {state[3], state[4], state[5]}}};
   if (columns_ == kEveryColumns) row.every = field_integer("every", fields[8], 1, here);
+  row.line = lines_.number();
   return row;
 }
 

@@ -19,13 +19,11 @@ struct AVO_LOCAL SpaceRowFrame {
   std::vector<avo::Vec3> velocity;  // m/s
 
   void go_on(const SpaceRows& rows, const SpaceMoment& moment) {
+    rows.require_known(moment, frame.position.size());
     frame.time = moment.time;
     frame.there.assign(frame.position.size(), false);
     for (const avo::space::CheckedState& row : moment.rows) {
       const auto i = static_cast<std::size_t>(row.robot);
-      if (i >= frame.position.size())
-        rows.fail(fmt::format("found robot {}, must be less than {}, those of the scene", row.robot,
-                              frame.position.size()));
       frame.there[i] = true;
       frame.position[i] = row.position;
       velocity[i] = row.velocity;

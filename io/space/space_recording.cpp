@@ -34,9 +34,10 @@ class SpaceCsvRecording final : public SpaceRecording {
 };
 
 RecordingHeader header_of(const avo::space::Scenario& scenario, const SceneSource& source,
-                          const RecordingOptions& options) {
+                          const RecordingOptions& options, bool is_converted) {
   RecordingHeader header = header_of_run(scenario, source, options);
   header.space = true;
+  if (is_converted) header.build = kConvertedRows;
   return header;
 }
 
@@ -67,10 +68,11 @@ void add_states(const avo::space::Simulation& simulation, const BlockShape& shap
 
 SpaceHdf5Recording::SpaceHdf5Recording(const std::string& path,
                                        const avo::space::Scenario& scenario,
-                                       const SceneSource& source, const RecordingOptions& options)
+                                       const SceneSource& source, const RecordingOptions& options,
+                                       bool is_converted)
     : SpaceRecording(path),
       clearances_(scenario),
-      recorder_(require_regular(file_, path), header_of(scenario, source, options),
+      recorder_(require_regular(file_, path), header_of(scenario, source, options, is_converted),
                 [this](std::size_t time, RecordingBlock& block) {
                   clearances_.find(recorder_.shape(), time, block);
                 }) {}

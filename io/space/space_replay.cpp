@@ -34,6 +34,10 @@ Replay replay_in_space(const std::string& recording, int threads,
   if (!source.header().space)
     throw RecordingError(recording + ": found a recording of the plane, must be one of space here");
   require_this_version(recording, source.header());
+  if (source.header().build == kConvertedRows)
+    throw RecordingError(recording +
+                         ": found rows of avo convert, must be those of a run: they have no "
+                         "decisions to compare");
   SimulatedAgain run(source, threads, observe);
   const avo::space::Scenario& scenario = source.scenario_of_space();
   return compare(source, run, scenario.name, scenario.duration);

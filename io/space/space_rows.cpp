@@ -27,7 +27,7 @@ class SpaceBlockRows final : public SpaceRowSource {
     moment_.every = source_.header().every;
   }
   const SpaceMoment* next() override;
-  [[nodiscard]] std::string place() const override {
+  [[nodiscard]] std::string place(std::optional<std::int64_t> /*robot*/) const override {
     return fmt::format("{}: time {} s", path_, moment_.time);
   }
 
@@ -82,8 +82,17 @@ void append_moment(const SpaceMoment& moment, const BlockShape& shape, Recording
 
 SpaceRows::SpaceRows(const std::string& path) : source_(source_of(path)) {}
 
-void SpaceRows::fail(const std::string& what) const {
-  throw RecordingError(fmt::format("{}: {}", source_->place(), what));
+void SpaceRows::fail(const std::string& what, std::optional<std::int64_t> robot) const {
+  throw RecordingError(fmt::format("{}: {}", source_->place(robot), what));
+}
+
+void SpaceRows::require_known(const SpaceMoment& moment, std::size_t robots) const {
+  for (const avo::space::CheckedState& row : moment.rows) {
+    if (row.robot >= static_cast<std::int64_t>(robots))
+      fail(fmt::format("robot: found {}, must be 0 to {}, the robots of the scene", row.robot,
+                       static_cast<std::int64_t>(robots) - 1),
+           row.robot);
+  }
 }
 
 bool is_space_recording(const std::string& path) {

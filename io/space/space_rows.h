@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,7 @@ inline constexpr std::string_view kEveryColumn = ",every";
 /// The part of a step by which times may be off, because their digits are rounded.
 inline constexpr double kOfStep = 1e-6;
 
-/// All rows of one time.
+/// All rows of one time, by ascending robot.
 struct SpaceMoment {
   double time = 0.0;  // s
   std::vector<avo::space::CheckedState> rows;
@@ -40,7 +41,8 @@ class SpaceRowSource {
   virtual ~SpaceRowSource() = default;
   /// See SpaceRows.
   virtual const SpaceMoment* next() = 0;
-  [[nodiscard]] virtual std::string place() const = 0;
+  /// The place of that robot's row in the last time, or of its last row.
+  [[nodiscard]] virtual std::string place(std::optional<std::int64_t> robot) const = 0;
 };
 
 /// Reads CSV. Throws FileError, and RecordingError if it is no recording of space.
@@ -55,8 +57,11 @@ class SpaceRows {
   /// Returns the rows of the next time, valid until the next call; null at the end. Throws
   /// RecordingError.
   const SpaceMoment* next() { return source_->next(); }
-  /// Throws RecordingError that names the place of the last row that was read.
-  [[noreturn]] void fail(const std::string& what) const;
+  /// Throws RecordingError that names the place of that robot's row in the last time, or of its
+  /// last row.
+  [[noreturn]] void fail(const std::string& what, std::optional<std::int64_t> robot = {}) const;
+  /// Refuses a row of the last time whose robot is none of so many, those of the scene.
+  void require_known(const SpaceMoment& moment, std::size_t robots) const;
 
  private:
   std::unique_ptr<SpaceRowSource> source_;

@@ -75,7 +75,7 @@ bool append_next_of_space(std::vector<double>& numbers) {
   if (moment == nullptr) return false;
   append_time(moment->time, moment->every, moment->rows.size(), numbers);
   for (const avo::space::CheckedState& row : moment->rows) {
-    require_few(row.robot, table.rows_of_space->place());
+    require_few(row.robot, table.rows_of_space->place(row.robot));
     numbers.insert(numbers.end(), {static_cast<double>(row.robot), row.position.x, row.position.y,
                                    row.position.z, row.velocity.x, row.velocity.y, row.velocity.z});
   }

@@ -13,6 +13,10 @@ void require_that(bool holds, const char* body, std::size_t number, const char* 
   if (!holds) throw Error(std::string(body) + " " + std::to_string(number) + ": " + rule);
 }
 
+bool has_nan(Vec3 p) {
+  return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.z);
+}
+
 }  // namespace
 
 void require_sound(const space::CheckedRobot& robot, std::size_t number) {
@@ -32,6 +36,8 @@ void require_sound(const space::CheckedMover& mover, std::size_t number) {
 }
 
 void require_sound(const space::Box& box, std::size_t number) {
+  require_that(!has_nan(box.min) && !has_nan(box.max), "box", number,
+               "min and max must be numbers");
   require_that(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z, "box",
                number, "min must not exceed max");
   require_that(box.radius >= 0.0 && std::isfinite(box.heading), "box", number,

@@ -48,6 +48,9 @@ const Filter::Step& Filter::step(std::int64_t k) const {
 }
 
 void Filter::add(Vec3 position, Vec3 velocity, Vec3 acceleration) {
+  require("position", position, "m");
+  require("velocity", velocity, "m/s");
+  require("acceleration", acceleration, "m/s^2");
   Step next{position, velocity, acceleration, {}, {}};
   if (count_ > 0) {
     const Step& last = step(count_ - 1);

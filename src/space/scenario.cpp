@@ -162,8 +162,14 @@ std::string box_name(const Scenario& scenario, std::size_t k) {
                   : "boxes." + std::to_string(k);
 }
 
+bool has_nan(Vec3 p) {
+  return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.z);
+}
+
 void check_box(const Box& box, const std::string& box_name) {
   require_ranges(box, Behind{box_name + "."});
+  if (has_nan(box.min) || has_nan(box.max))
+    refuse(box_name + ".box", "nan in min or max", "numbers");
   const bool is_sound = box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z;
   if (!is_sound) throw Error(box_name + ".box: min must not exceed max");
 }

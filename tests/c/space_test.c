@@ -213,6 +213,10 @@ static void set_points_are_one_delay_late(void) {
     const double t = 0.1 * k;
     REQUIRE(avo_filter_add(filter, at(t * t, 0.0, 1.0), at(2.0 * t, 0.0, 0.0), at(2.0, 0.0, 0.0)));
   }
+  REFUSES(avo_filter_add(filter, at(0.0, NAN, 1.0), at(0.0, 0.0, 0.0), at(0.0, 0.0, 0.0)),
+          AVO_ERROR_INVALID_VALUE, "position.1: found nan");
+  REFUSES(avo_filter_add(filter, at(0.0, 0.0, 1.0), at(0.0, 0.0, 0.0), at(0.0, 0.0, INFINITY)),
+          AVO_ERROR_INVALID_VALUE, "acceleration.2: found inf");
   REQUIRE(avo_filter_get_times(filter, &begin, &end));
   CHECK(fabs(end - 3.0) < 1e-9 && begin < end);
   REQUIRE(avo_filter_get_set_point(filter, end, &point));

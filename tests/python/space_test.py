@@ -55,6 +55,10 @@ def test_hdf5_contains_its_scene(scene, tmp_path, command_line):
         avo.space.run(avo.space.Scenario(scene), record=h5)
     with pytest.raises(avo.Error, match="scene: found none"):
         avo.space.check(scene)
+    with pytest.raises(avo.Error, match="recording: found one of space, .*avo.space.check judges those"):
+        avo.check(h5)
+    with pytest.raises(avo.Error, match="space: found 3, must be 2 here; scenes of space: avo.space.run"):
+        avo.run(scene)
 
 
 def test_scenes_come_from_text_and_dicts_and_have_overrides(scene):
@@ -243,6 +247,8 @@ def test_bad_numbers_are_a_status_and_other_points_are_refused():
             simulation.set_goal(robot, (0, 0, 0))
     with pytest.raises(avo.Error, match="robot 0 is in it"):
         simulation.set_boxes([avo.space.Box(max=(1, 1, 1))])
+    with pytest.raises(avo.Error, match="boxes.0.box: found nan in min or max, must be numbers"):
+        simulation.set_boxes([avo.space.Box(min=(float("nan"), 9, 9))])
 
 
 def test_set_points_follow_the_reference_one_delay_late():
@@ -253,6 +259,8 @@ def test_set_points_follow_the_reference_one_delay_late():
     for k in range(30):  # along x with 2 m/s²
         t = 0.1 * k
         points.add((t * t, 0, 1), (2 * t, 0, 0), (2, 0, 0))
+    with pytest.raises(avo.Error, match="velocity.2: found nan, must be a finite number"):
+        points.add((0, 0, 1), (0, 0, float("nan")), (0, 0, 0))
     late = points.at(points.end)
     then = points.end - 0.12
     assert late.position == pytest.approx((then**2, 0, 1), abs=quadrotor.deviation / 4)

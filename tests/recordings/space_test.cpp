@@ -118,6 +118,10 @@ TEST(SpaceHdf5, becomes_the_csv_of_the_run_and_back) {
   EXPECT_THAT(back.out, HasSubstr("51 times, 459 rows"));
   EXPECT_EQ(column_of(again, 9, 2, 51), column_of(h5, 9, 2, 51));
   EXPECT_EQ(run_avo({"check", again}).exit_code, 0);
+  const ProcessResult replayed = run_avo({"replay", again});
+  EXPECT_EQ(replayed.exit_code, 3) << replayed.out;
+  EXPECT_THAT(replayed.err,
+              HasSubstr("again.h5: found rows of avo convert, must be those of a run"));
   EXPECT_THAT(run_avo({"convert", csv, again, "--to", "recording"}).err,
               HasSubstr("--scene: found none, must be given: the format has radii"));
   EXPECT_THAT(run_avo({"convert", h5, path_of("x.sqlite")}).err,

@@ -12,6 +12,7 @@
 #include "avo_io/judgement.h"
 #include "avo_io/printable.h"
 #include "avo_io/recording.h"
+#include "avo_io/space.h"
 #include "exit_codes.h"
 #include "reports/settings_report.h"
 #include "system/terminal.h"
@@ -126,6 +127,11 @@ int tell(const avo_io::Judgement& judgement, bool json) {
 int check(const CheckArguments& arguments) {
   check_common_arguments(arguments);
   if (const auto in_space = judge_in_space(arguments)) return tell(*in_space, arguments.json);
+  if (avo_io::is_space_recording(arguments.recording))
+    throw UsageError(
+        fmt::format("--scene: found none with space: 3, must be given: {} is a "
+                    "recording of space",
+                    avo_io::printable(arguments.recording)));
   const std::optional<avo_io::RecordedScene> own = own_scene(arguments);
   std::optional<avo::Scenario> scenario = scenario_of(arguments, own);
   check_arguments(arguments, scenario && !scenario->robots.empty());

@@ -11,6 +11,7 @@
 #include "avo_io/judgement.h"
 #include "avo_io/recording.h"
 #include "avo_io/scene.h"
+#include "avo_io/space.h"
 #include "simulation.h"
 
 namespace avo_python {
@@ -67,6 +68,11 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
                  std::optional<double> max_acceleration, std::optional<double> max_speed,
                  std::optional<double> max_braking, double tolerance, bool require_arrival,
                  const std::string& movers_at_rest) {
+  const auto path = path_of(recording);
+  if (avo_io::is_space_recording(path))
+    throw avo::Error(
+        "recording: found one of space, must be of the plane here; avo.space.check "
+        "judges those of space");
   std::optional<avo::Scenario> scenario;
   if (!scene.is_none()) scenario = surroundings_of(scene);
   const bool has_scene = scenario && !scenario->robots.empty();
@@ -96,7 +102,6 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
   if (!has_scene)
     options.radius = *radius, options.max_acceleration = max_acceleration,
     options.max_speed = max_speed, options.max_braking = max_braking;
-  const auto path = path_of(recording);
   std::string json;
   {
     const py::gil_scoped_release release;

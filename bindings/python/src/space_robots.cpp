@@ -83,7 +83,8 @@ void bind_filter(py::module_& space) {
            "fleet_delay: s, the largest attitude_time of the fleet; time_step: s, of the "
            "reference. Raises Error on values out of range.")
       .def("add", &Filter::add, arg("position"), arg("velocity"), arg("acceleration"),
-           "Adds the next step of the reference: its start, and its acceleration.")
+           "Adds the next step of the reference: its start, and its acceleration. Raises Error on "
+           "values that are not finite or beyond 1e12, and adds nothing then.")
       .def_property_readonly("begin", &Filter::begin, "s: set points are known from here on")
       .def_property_readonly("end", &Filter::end, "s: until here")
       .def("at", &Filter::at, arg("time"), "The SetPoint of that time, s.");

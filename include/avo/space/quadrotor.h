@@ -58,7 +58,8 @@ class AVO_API Filter {
   Filter(const QuadrotorLimits& limits, double fleet_delay, double time_step);
 
   /// Adds the next step of the reference: the state at its start, and its acceleration. The first
-  /// step starts at time 0; the reference is taken to have had no acceleration before.
+  /// step starts at time 0; the reference is taken to have had no acceleration before. Throws Error
+  /// on values that are not finite or beyond 1e12, and adds nothing then.
   void add(Vec3 position, Vec3 velocity, Vec3 acceleration);
   /// s: the set points from begin() to end() are known. The last step lies between them.
   [[nodiscard]] double begin() const;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
 #include "avo/error.h"
@@ -193,6 +194,19 @@ TEST(SetPoints, of_a_fleet_wait_for_its_slowest) {
     }
     reference.move(a, kStep);
   }
+}
+
+TEST(SetPoints, of_numbers_that_are_none_are_refused_and_leave_the_filter_as_it_was) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Filter filter({1.0, 0.0, 0.2}, 0.3, 0.1);
+  filter.add({1, 2, 3}, {}, {});
+  EXPECT_THROW(filter.add({0, kNone, 0}, {}, {}), Error);
+  EXPECT_THROW(filter.add({}, {0, 0, -kFar}, {}), Error);
+  EXPECT_THROW(filter.add({}, {}, {kFar, 0, 0}), Error);
+  EXPECT_THROW(filter.add({2e12, 0, 0}, {}, {}), Error);
+  EXPECT_EQ(filter.end(), 0.1 + (0.3 - 0.2));
+  EXPECT_EQ(filter.at(0.1).position, (Vec3{1, 2, 3}));
 }
 
 TEST(SetPoints, of_unknown_times_are_refused) {

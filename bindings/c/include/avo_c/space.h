@@ -181,7 +181,8 @@ AVO_C_API avo_result avo_create_filter(const avo_quadrotor* quadrotor, double fl
                                        double time_step, avo_filter_id* filter);
 AVO_C_API avo_result avo_destroy_filter(avo_filter_id filter);
 AVO_C_API bool avo_filter_is_valid(avo_filter_id filter);
-/// Adds the next step of the reference: the state at its start, and its acceleration.
+/// Adds the next step of the reference: the state at its start, and its acceleration. Values that
+/// are not finite or beyond 1e12 are AVO_ERROR_INVALID_VALUE, and nothing is added then.
 AVO_C_API avo_result avo_filter_add(avo_filter_id filter, avo_vec3 position, avo_vec3 velocity,
                                     avo_vec3 acceleration);
 /// s: set points are known from `begin` to `end`.
