@@ -137,6 +137,12 @@ double radius_of(const Bodies& bodies, int number) {
   return bodies.radius[static_cast<std::size_t>(at - bodies.number.begin())];
 }
 
+// m: of the present contact, with the possible errors subtracted
+double depth_of(const Robot& robot, const Mover& mover, const StepLaw& law) {
+  return robot.radius + mover.radius - norm(robot.position - mover.position) -
+         error_against(mover, law).position;
+}
+
 // Names the deepest contact, where rounding cannot have caused it.
 void tell_contact(const Deciding& decision, const BodiesAround& around, Plan& plan) {
   const Constraints& constraints = decision.scratch.choice.constraints;
@@ -157,6 +163,9 @@ void tell_contact(const Deciding& decision, const BodiesAround& around, Plan& pl
   const Deepest& mover = constraints.movers.invariant.broken;
   if (mover.any())
     tell(mover, around.movers[static_cast<std::size_t>(mover.index)].radius, plan.mover);
+  // the certificate asks for nothing of a robot at rest
+  for (int k = 0; const Mover& other : around.movers)
+    tell({k++, depth_of(decision.robot, other, decision.law)}, other.radius, plan.mover);
 }
 
 // Eq. (7)
@@ -250,7 +259,7 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
   const Constraints& constraints = scratch.choice.constraints;
   const bool keeps_clear = !constraints.invariant.doubtful && !constraints.invariant.unknown &&
                            !constraints.boxes.broken.any();
-  if (is_certified && keeps_clear) plan.state = SafetyState::safe;
+  if (is_certified && keeps_clear && plan.mover < 0) plan.state = SafetyState::safe;
   detour.acceleration = plan.acceleration;
   return plan;
 }

@@ -6,6 +6,9 @@
 
 #include "avo/error.h"
 #include "fields/space_fields.h"
+#include "guidance/names.h"
+#include "space/certificate.h"
+#include "space/mover_constraints.h"
 #include "space/senses.h"
 
 namespace avo::space {
@@ -39,6 +42,29 @@ void check_trajectory(const MovingObstacle& obstacle, const std::string& place_o
            ">= " + text(speed) + " m/s, what its trajectory has");
 }
 
+// Refuses contact, and what braking comes to touch, in the words of the plane. slack: m, what
+// braking leaves beyond contact.
+void check_start(const Robot& robot, const Mover& mover, const StepLaw& law, double slack,
+                 RobotId id, MovingObstacleId obstacle) {
+  constexpr double kRounded = 1e-9;
+  constexpr int kDigits = 9;
+  const double contact = robot.radius + mover.radius;
+  const double distance = norm(robot.position - mover.position);
+  const double depth = std::min(contact, parabola_error(mover, law) - slack);
+  const bool overlaps = distance < (1.0 - kRounded) * contact;
+  if (!overlaps && !(depth > kRounded * contact)) return;
+  const std::string name = "robot " + std::to_string(id.value);
+  const std::string pair = name + " and moving obstacle " + std::to_string(obstacle.value);
+  if (overlaps)
+    throw Error(pair + " overlap at the start: found " + number(distance, kDigits) +
+                " m between the centers, must be >= " + number(robot.radius, kDigits) + " + " +
+                number(mover.radius, kDigits) + " = " + number(contact, kDigits) +
+                " m; move them apart");
+  throw Error(pair + " start too fast for their distance: found " + number(depth, kDigits) +
+              " m of overlap when " + name +
+              " brakes at once, must be none; slow down, or move apart");
+}
+
 }  // namespace
 
 void check_moving_obstacle(const MovingObstacle& obstacle, const std::string& key) {
@@ -59,13 +85,19 @@ void check_moving_obstacles(const Scenario& scenario) {
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
     const MovingObstacle& obstacle = scenario.moving_obstacles[k];
     check_moving_obstacle(obstacle, "moving_obstacles." + std::to_string(k) + ".");
-    const Vec3 start = state_at(obstacle, 0.0).position;
-    for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-      const Robot robot = robot_of(scenario.robots[i]);
-      const double depth = robot.radius + obstacle.radius - norm(robot.position - start);
-      if (depth > 0.0)
-        throw Error("robots." + std::to_string(i) + " and moving_obstacles." + std::to_string(k) +
-                    ": they overlap by " + text(depth) + " m at the start; move them apart");
+  }
+}
+
+void check_mover_starts(std::span<const Robot> robots, std::span<const Mover> movers,
+                        std::span<const MovingObstacleId> ids, StepLaw law) {
+  law.sensing_error = {};  // starts are true states
+  Constraints constraints;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    begin_constraints(robots[k], braking_of(robots[k], law), law, constraints);
+    for (std::size_t m = 0; m < movers.size(); ++m) {
+      begin_movers(robots[k], movers.subspan(m, 1), constraints.own, constraints.own_direction,
+                   constraints.deviation, law, constraints.movers);
+      check_start(robots[k], movers[m], law, constraints.movers.invariant.slack, {k}, ids[m]);
     }
   }
 }

@@ -8,7 +8,6 @@
 
 #include "avo/error.h"
 #include "core/ranges.h"
-#include "space/certificate.h"
 #include "space/mover_checks.h"
 
 namespace avo::space {
@@ -37,24 +36,6 @@ bool covers(const SensingError& declared, const SensingError& needed) {
   constexpr double kRounded = 1.0 + 1e-9;
   return needed.position <= kRounded * declared.position &&
          needed.velocity <= kRounded * declared.velocity;
-}
-
-// Throws Error where a robot, if it brakes from now on, does not stop before the obstacle.
-void check_start(const SpaceFleet& fleet, const Mover& mover, const std::string& name) {
-  if (!is_certified(fleet)) return;
-  StepLaw law = fleet.law;
-  law.sensing_error = {};  // these are true states
-  Constraints constraints;
-  for (std::size_t k = 0; k < fleet.robots.size(); ++k) {
-    const Robot& robot = fleet.robots[k];
-    begin_constraints(robot, braking_of(robot, law), law, constraints);
-    begin_movers(robot, std::span(&mover, 1), constraints.own, constraints.own_direction,
-                 constraints.deviation, law, constraints.movers);
-    const Deepest& broken = constraints.movers.invariant.broken;
-    if (broken.any())
-      throw Error(name + " and robot " + std::to_string(k) + ": braking now leaves " +
-                  text(broken.depth) + " m less than contact; let it come elsewhere");
-  }
 }
 
 // Adopts what is edited, with the sensing radius and the options that it needs.
@@ -97,7 +78,8 @@ MovingObstacleId add_moving_obstacle(SpaceFleet& fleet, const MovingObstacle& ob
   edited.movers.move_to(fleet.steps, edited.obstacles, fleet.scenario.time_step);
   edited.movers.begin(edited.movers.now.size() - 1);
   edited.past.add(fleet.steps);
-  check_start(fleet, edited.movers.now.back(), name);
+  if (is_certified(fleet))
+    check_mover_starts(fleet.robots, {&edited.movers.now.back(), 1}, {&id, 1}, fleet.law);
   adopt(fleet, std::move(edited), name);
   return id;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "avo/error.h"
 #include "avo/space/planner.h"
@@ -13,6 +14,7 @@
 #include "planner/rules/arrival.h"
 #include "space/certificate.h"
 #include "space/mover_checks.h"
+#include "space/mover_columns.h"
 #include "space/own_space.h"
 #include "space/senses.h"
 #include "space/step_law.h"
@@ -200,6 +202,15 @@ void check_starts(const Scenario& scenario, const StepLaw& law) {
   }
 }
 
+void check_mover_starts(const Scenario& scenario, const StepLaw& law) {
+  std::vector<Robot> robots;
+  for (const RobotSetup& setup : scenario.robots) robots.push_back(robot_of(setup));
+  MoverColumns movers;
+  for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) movers.add(0);
+  movers.move_to(0, scenario.moving_obstacles, scenario.time_step);
+  check_mover_starts(robots, movers.now, movers.id, law);
+}
+
 }  // namespace
 
 Neighbor neighbor_of(const Robot& robot) {
@@ -251,6 +262,7 @@ void validate(const Scenario& scenario) {
       step_law(options, Horizon(options.control_time, options.time_horizon, options.time_step));
   law.sensing_error = {};  // starts are true states
   check_starts(scenario, law);
+  check_mover_starts(scenario, law);
 }
 
 }  // namespace avo::space

@@ -213,7 +213,7 @@ def test_moving_obstacles_come_change_and_go():
     for gone in (0, -1):
         with pytest.raises(avo.Error, match=f"moving obstacle {gone}: found none of that id"):
             simulation.remove_moving_obstacle(gone)
-    with pytest.raises(avo.Error, match="moving obstacle 2 and robot 0: braking now leaves"):
+    with pytest.raises(avo.Error, match="robot 0 and moving obstacle 2 overlap at the start"):
         simulation.add_moving_obstacle(avo.space.MovingObstacle(position=simulation.position()[0]))
 
 

@@ -213,6 +213,38 @@ TEST(ExplanationsInSpace, name_moving_obstacles_by_their_ids) {
   EXPECT_GT(named, 3);
 }
 
+// The corner of its trajectory comes too late for the robot, which rests while it is touched.
+TEST(ExplanationsInSpace, name_the_moving_obstacle_that_touches_a_robot_at_rest) {
+  for (const bool is_certified : {true, false}) {
+    avo::space::Scenario scene;
+    scene.robots.resize(1);
+    if (!is_certified) scene.certificate = avo::Certificate::none;
+    avo::space::MovingObstacle corner{.radius = 0.6};
+    corner.trajectory = {{0, {-10, 0, 4}}, {4, {-3, 0, 4}}, {5, {-1, 0, 0.5}}, {12, {10, 0, 0}}};
+    scene.moving_obstacles = {corner};
+    Simulation simulation(scene, 1);
+    double deepest = 0.0;  // m
+    for (int step = 0; step < 100; ++step) {
+      const Explanation why = simulation.explain({0});
+      const avo::space::Plan& plan = why.decision.plan;
+      const avo::space::Mover& mover = simulation.movers()[0];
+      const double depth = 1.1 - norm(mover.position - simulation.robots()[0].position);
+      deepest = std::max(deepest, depth);
+      if (depth > 1e-3) {
+        EXPECT_EQ(plan.status, PlanStatus::overlapping) << why.time;
+        EXPECT_EQ(plan.mover, 0);
+        EXPECT_GE(plan.depth, depth - 1e-6);
+        EXPECT_EQ(plan.state, avo::SafetyState::unknown);
+        EXPECT_NE(why.sentence.find("is in contact with moving obstacle 0"), std::string::npos)
+            << why.sentence;
+        EXPECT_EQ(why.sentence.find("(safe)"), std::string::npos) << why.sentence;
+      }
+      simulation.step();
+    }
+    EXPECT_GT(deepest, 0.3) << is_certified;
+  }
+}
+
 TEST(ExplanationsInSpace, of_numbers_that_are_none_end_in_braking) {
   const Planner planner{avo::PlannerOptions{.method = avo::Method::avo}};
   avo::space::PlanWorkspace workspace;

@@ -21,12 +21,12 @@ struct Plan {
   Vec3 next_velocity = {};                  ///< m/s, at the end of the step
   Vec3 acceleration = {};                   ///< [a_A] m/s^2 at the start of the step, Eq. (7)
   PlanStatus status = PlanStatus::optimal;  ///< how the decision was made
-  /// safe: while all robots brake, A touches no robot that decides and no box. unknown: otherwise,
-  /// and without a certificate
+  /// safe: while all robots brake, A touches no robot that decides and no box, and plan() names no
+  /// contact. unknown: otherwise, and without a certificate
   SafetyState state = SafetyState::unknown;
   int neighbor = -1;       ///< if overlapping: the deepest neighbor's place in the list; -1: none
   int box = -1;            ///< or the box's place in the list; -1: none
-  int mover = -1;          ///< or the moving obstacle's place in the list; -1: none
+  int mover = -1;          ///< or the moving obstacle's place in the list, also at rest; -1: none
   float depth = 0.0F;      ///< m: the overlap, if overlapping
   double violation = 0.0;  ///< m/s: the distance of v' from CA_A; 0 if optimal
   bool evading = false;    ///< an evasive maneuver has replaced the robot's own choice

@@ -89,8 +89,8 @@ AVO_API double fleet_delay(const Scenario& scenario);
 AVO_API double sensing_radius_of(const Scenario& scenario);
 
 /// Throws Error that names the first fault. This may be a value out of range, or a sensing radius
-/// that is too short for the certificate. It may also be a robot that touches another robot or a
-/// box, or cannot brake before it.
+/// that is too short for the certificate. It may also be a robot that touches another robot, a box
+/// or a moving obstacle, or cannot brake before it.
 AVO_API void validate(const Scenario& scenario);
 
 }  // namespace avo::space

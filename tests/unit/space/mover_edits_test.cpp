@@ -163,7 +163,14 @@ TEST(SpaceMoverEdits, are_refused_where_nobody_could_brake) {
   const std::string refused = refusal([&] {
     simulation.add_moving_obstacle(moving(p + Vec3{1.3, 0, 0}, {}));
   });
-  EXPECT_EQ(refused.find("moving obstacle 0 and robot 0: braking now leaves "), 0U) << refused;
+  EXPECT_EQ(refused.find("robot 0 and moving obstacle 0 start too fast for their distance: "), 0U)
+      << refused;
+  Simulation resting(two_at_rest());
+  EXPECT_EQ(refusal([&] {
+              resting.add_moving_obstacle(moving({0, 3.75, 0}, {}));
+            }),
+            "robot 1 and moving obstacle 0 overlap at the start: found 0.75 m between the centers, "
+            "must be >= 0.5 + 0.5 = 1 m; move them apart");
   EXPECT_EQ(refusal([&] {
               simulation.add_moving_obstacle(moving({0, 0, 50}, {}, -1.0));
             }),
