@@ -58,11 +58,13 @@ const std::vector<BadScene> kScenes{
     bad("quadrotor",
         "  - {position: [0, 5, 0], goal: [9, 5, 0],\n"
         "     quadrotor: {mass: 1, max_thrust: 9, max_tilt: 0.5, attitude_time: 0.1}}",
-        "6:39: robots.1.quadrotor.max_thrust: found 9, must be > 9.80665 N, the weight of its mass"),
+        "6:39: robots.1.quadrotor.max_thrust: found 9, must be > 9.80665 N, the weight of its "
+        "mass"),
     bad("group",
         "groups:\n  - {count: 2, sphere: {radius: 9}, goal: antipodal,\n"
         "     quadrotor: {mass: 1, max_thrust: 9, max_tilt: 0.5, attitude_time: 0.1}}",
-        "7:39: robots.1.quadrotor.max_thrust: found 9, must be > 9.80665 N, the weight of its mass"),
+        "7:39: robots.1.quadrotor.max_thrust: found 9, must be > 9.80665 N, the weight of its "
+        "mass"),
 };
 
 class BadSpace : public testing::TestWithParam<BadScene> {};
