@@ -42,7 +42,7 @@ const std::vector<BadScene> kScenes{
     obstacle("layers", "{polyline: [[3, 0], [3, 9]], layers: [2]}",
              "6:42: obstacles.0.layers: found a list, must be left out in a scene of space"),
     obstacle("solid", "{polygon: [[-3, -3], [3, -3], [0, 9]], solid: true}",
-             "6:51: obstacles.0.solid: found true, must be left out in a scene of space"),
+             "6:51: obstacles.0.solid: found \"true\", must be left out in a scene of space"),
     obstacle("as", "{wkt: \"LINESTRING (3 0, 3 9)\", as: solid}",
              "6:40: obstacles.0.as: found \"solid\", must be left out in a scene of space"),
     bad("group_box",
@@ -58,11 +58,13 @@ const std::vector<BadScene> kScenes{
     bad("quadrotor",
         "  - {position: [0, 5, 0], goal: [9, 5, 0],\n"
         "     quadrotor: {mass: 1, max_thrust: 9, max_tilt: 0.5, attitude_time: 0.1}}",
-        "6:39: robots.1.quadrotor.max_thrust: found 9, must be > 9.81 N, the weight of its mass"),
+        "6:39: robots.1.quadrotor.max_thrust: found 9, must be > 9.80665 N, the weight of its "
+        "mass"),
     bad("group",
         "groups:\n  - {count: 2, sphere: {radius: 9}, goal: antipodal,\n"
         "     quadrotor: {mass: 1, max_thrust: 9, max_tilt: 0.5, attitude_time: 0.1}}",
-        "7:39: robots.1.quadrotor.max_thrust: found 9, must be > 9.81 N, the weight of its mass"),
+        "7:39: robots.1.quadrotor.max_thrust: found 9, must be > 9.80665 N, the weight of its "
+        "mass"),
 };
 
 class BadSpace : public testing::TestWithParam<BadScene> {};
