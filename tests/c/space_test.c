@@ -244,6 +244,14 @@ static void moving_obstacles_come_and_go(void) {
   def.robot_count = 1;
   def.moving_obstacles = &ball;
   def.moving_obstacle_count = 1;
+  ball.trajectory_count = 0;
+  ball.position = at(2.0, 0.0, 0.0);
+  robot_def.velocity = at(2.0, 0.0, 0.0);
+  REFUSES(avo_create_space_simulation(&def, &fleet), AVO_ERROR_INVALID_VALUE,
+          "robot 0 and moving obstacle 0 start too fast for their distance");
+  ball.trajectory_count = 2;
+  ball.position = at(0.0, 0.0, 0.0);
+  robot_def.velocity = at(0.0, 0.0, 0.0);
   REQUIRE(avo_create_space_simulation(&def, &fleet));
   ball.trajectory_count = 0;
   ball.position = at(12.0, 0.0, 0.0);

@@ -215,6 +215,20 @@ def test_moving_obstacles_come_change_and_go():
             simulation.remove_moving_obstacle(gone)
     with pytest.raises(avo.Error, match="robot 0 and moving obstacle 2 overlap at the start"):
         simulation.add_moving_obstacle(avo.space.MovingObstacle(position=simulation.position()[0]))
+    with pytest.raises(avo.Error, match="robot 0 and moving obstacle 0 start too fast for their distance"):
+        avo.space.Simulation({"version": 1, "space": 3, "moving_obstacles": [{"position": [2, 0, 0]}],
+                              "robots": [{"position": [0, 0, 0], "velocity": [2, 0, 0], "goal": [9, 0, 0]}]})
+
+
+def test_contact_at_rest_with_a_moving_obstacle_is_told():
+    corner = [[0, -10, 0, 4], [4, -3, 0, 4], [5, -1, 0, 0.5], [12, 10, 0, 0]]
+    simulation = avo.space.Simulation({"version": 1, "space": 3, "robots": [{"position": [0, 0, 0], "goal": [0, 0, 0]}],
+                                       "moving_obstacles": [{"trajectory": corner, "radius": 0.6}]})
+    simulation.step(60)
+    told = simulation.explain(0)
+    assert told["status"] == "overlapping" and told["state"] == "unknown"
+    assert told["contact_with"] == "moving_obstacles.0" and told["contact_depth"] > 0.3
+    assert "in contact with moving obstacle 0" in told["sentence"] and "(safe)" not in told["sentence"]
 
 
 def test_goals_out_of_reach_are_told():

@@ -83,8 +83,8 @@ void bind_mover_edits(SpaceSimulationClass& simulation) {
             return self.alone([&](Simulation& s) { return s.add_moving_obstacle(obstacle).value; });
           },
           arg("obstacle"),
-          "A helicopter, a ball or a player comes. Returns its id. Raises Error where some robot "
-          "cannot brake before it.")
+          "A helicopter, a ball or a player comes. Returns its id. Raises Error where it touches "
+          "some robot, or some robot cannot brake before it.")
       .def(
           "change_moving_obstacle",
           [](SharedSpaceSimulation& self, std::int64_t id, const MovingObstacle& obstacle) {

@@ -316,7 +316,8 @@ AVO_C_API avo_result avo_space_simulation_unreachable(avo_space_simulation_id si
                                                       size_t* count);
 AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation,
                                                    avo_robot_id robot, avo_vec3 goal);
-/// A helicopter, a ball or a player comes. It is refused if some robot cannot brake before it.
+/// A helicopter, a ball or a player comes. It is refused if it touches some robot, or if some robot
+/// cannot brake before it, as in the definition of a simulation.
 AVO_C_API avo_result avo_space_simulation_add_moving_obstacle(
     avo_space_simulation_id simulation, const avo_space_moving_obstacle_def* def,
     avo_moving_obstacle_id* obstacle);
