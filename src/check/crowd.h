@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "avo/check.h"
+#include "avo/space/check.h"
 
 namespace avo::judge {
 
@@ -16,5 +18,12 @@ namespace avo::judge {
 /// robots at rest.
 bool rests_at_crowd(std::size_t robot, Vec2 goal, std::span<const CheckedRobot> robots,
                     std::span<const std::optional<Vec2>> places);
+/// The same in space, with balls, and with bodies that are longer by their downwash.
+bool rests_at_crowd(std::size_t robot, Vec3 goal, std::span<const space::CheckedRobot> robots,
+                    std::span<const std::optional<Vec3>> places);
+
+/// m, by robot, of those that rest, of so many.
+std::vector<std::optional<Vec3>> places_at_rest(std::size_t robots,
+                                                std::span<const space::CheckedState> rows);
 
 }  // namespace avo::judge

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "avo/error.h"
 #include "avo/space/check.h"
 #include "check/counts.h"
+#include "check/crowd.h"
 #include "check/space_hits.h"
 #include "check/space_path.h"
 #include "check/space_refuse.h"
@@ -18,22 +20,13 @@ namespace {
 using judge::Block;
 using judge::Cubic;
 using judge::path_of;
+using judge::slows_straight;
 using judge::SpaceStep;
 using judge::step_of;
 using judge::Stick;
+using judge::weighed;
 
 constexpr double kAtRest = 1e-9;  // of max_speed
-
-// The length of a velocity or an acceleration, where limits along the vertical are so much of those
-// along the horizontal.
-double weighed(Vec3 a, double vertical) {
-  return norm(Vec3{a.x, a.y, a.z / vertical});
-}
-
-bool slows_straight(Vec3 from, Vec3 to) {
-  const double speed = norm(from);
-  return norm(to) <= speed && dot(from, to) >= 0.0 && norm(cross(from, to)) <= 1e-9 * speed * speed;
-}
 
 }  // namespace
 
@@ -283,11 +276,16 @@ CheckReport Check::report() const {
   CheckReport report = state_->report;
   state_->hits.write(report);
   report.movers_at_rest = state_->options.movers_at_rest;
+  const auto at_rest = judge::places_at_rest(state_->robots.size(), state_->before);
   for (std::size_t k = 0; k < state_->robots.size(); ++k) {
     const CheckedRobot& robot = state_->robots[k];
     if (!robot.goal || state_->seen[k] == 0) continue;
-    if (state_->arrived[k] == 0) report.not_arrived.push_back(static_cast<std::int64_t>(k));
-    if (state_->is_at_goal(state_->last[k].position, *robot.goal)) ++report.at_goal_at_end;
+    const bool is_there = state_->is_at_goal(state_->last[k].position, *robot.goal);
+    const bool rests = !is_there && judge::rests_at_crowd(k, *robot.goal, state_->robots, at_rest);
+    if (is_there || rests) ++report.at_goal_at_end;
+    if (state_->arrived[k] != 0) continue;
+    if (!rests) report.not_arrived.push_back(static_cast<std::int64_t>(k));
+    if (rests) ++report.arrived, report.last_arrival = state_->time;
   }
   if (report.arrived < report.with_goal) report.last_arrival.reset();
   return report;

@@ -52,4 +52,13 @@ bool hides(const space::Box& box, Vec3 position, Vec3 goal) {
   return touches(straight_path(position, goal)) && !touches(straight_path(goal, goal));
 }
 
+double weighed(Vec3 a, double vertical) {
+  return norm(Vec3{a.x, a.y, a.z / vertical});
+}
+
+bool slows_straight(Vec3 from, Vec3 to) {
+  const double speed = norm(from);
+  return norm(to) <= speed && dot(from, to) >= 0.0 && norm(cross(from, to)) <= 1e-9 * speed * speed;
+}
+
 }  // namespace avo::judge

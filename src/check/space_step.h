@@ -29,4 +29,10 @@ double gap(const SpaceStep& a, const SpaceStep& b);
 /// in it.
 bool hides(const space::Box& box, Vec3 position, Vec3 goal);
 
+/// The length of a velocity or an acceleration, where limits along the vertical are so much of
+/// those along the horizontal.
+double weighed(Vec3 a, double vertical);
+/// Returns whether the second velocity is the first one, slowed down straight.
+bool slows_straight(Vec3 from, Vec3 to);
+
 }  // namespace avo::judge

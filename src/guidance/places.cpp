@@ -4,24 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "guidance/crowd.h"
 #include "guidance/routes.h"
 #include "walls/segment.h"
 
 namespace avo::inline guidance {
 namespace {
-
-// radii: a seeker within this distance is near the robots at rest
-constexpr double kNearResting = 8.0;
-constexpr double kBesideReach = 1.25;  // of contact: others within this distance are beside it
-constexpr double kStill = 0.2;         // of v_max: slower robots rest, or soon will
-constexpr double kComesOut = 0.004;    // of v_max, away from the goal
-constexpr double kPlaceGap = 0.02;     // of contact, between a place and those at rest
-constexpr double kLineGap = 0.01;      // of contact, for the line to the place
-// of the distance to a place: it must be nearer to the goal by that
-constexpr double kWorth = 0.25;
-constexpr double kGain = 0.1;         // radii: and by so much in addition,
-constexpr double kGainAtRest = 0.8;   // or by so much for a robot that has come to rest
-constexpr double kRoundedOff = 1e-9;  // places touch circles, and lines begin in contact
 
 // The point at that distance from one point towards another.
 Vec2 point_towards(Vec2 from, Vec2 to, double length) {
@@ -171,11 +159,6 @@ class PlaceSearch {
   std::size_t blocker_ = 0;  // the last place that was found
 };
 
-bool stands_on_goal(const Resting& other) {
-  const double most = (1.0 + kRoundedOff) * other.reach;  // most are decided without a root
-  return other.from_goal_squared < most * most && std::sqrt(other.from_goal_squared) < other.reach;
-}
-
 void note(const Seeker& seeker, Vec2 position, Vec2 velocity, double radius, Occupied& seen) {
   const double reach = seeker.radius + radius;
   const double distance = norm(position - seeker.position);
@@ -227,16 +210,8 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied, const Routes* routes)
     };
   };
   // reach is the sum of two radii: so two robots leave room for one seeker between their surfaces
-  auto reached = std::partition(first, last, leads_on(seeker.position, 2.0 * seeker.radius));
-  const auto is_nearer = [](const Resting& one, const Resting& other) {
-    return one.from_goal_squared < other.from_goal_squared;
-  };
-  for (auto one = first; one != reached; ++one) {  // towards the goal first
-    std::iter_swap(one, std::min_element(one, reached, is_nearer));
-    if (stands_on_goal(*one)) return true;
-    reached = std::partition(reached, last, leads_on(one->position, one->reach));
-  }
-  return false;
+  return leads_to_goal(first, last, leads_on(seeker.position, 2.0 * seeker.radius),
+                       [&](const Resting& one) { return leads_on(one.position, one.reach); });
 }
 
 Vec2 place_of(const Seeker& seeker, const Occupied& occupied, std::span<const Wall> walls,

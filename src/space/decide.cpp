@@ -90,7 +90,11 @@ Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, cons
   const auto choose_near = [&](Vec3 wanted) {
     return choose(robot, wanted, decision.law, scratch.choice, trace);
   };
-  const Vec3 proposal = decision.in_space(executed(decision, target.own, decision.haste.gain));
+  // a robot that stays where others are at rest on its goal stops, whatever pushes it
+  const bool stops = detour.goal_taken && robot.preferred_velocity == Vec3{};
+  const Vec3 proposal =
+      stops ? backup_velocity(robot, decision.law)
+            : decision.in_space(executed(decision, target.own, decision.haste.gain));
   trace.asks(proposal);
   const Choice choice = choose_near(proposal);
   if (!may_detour(numbers_of(robot)) || detour.goal_taken) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/response_law.h"
+#include "planner/rules/arrival.h"
 #include "space/boxes.h"
 #include "space/certificate.h"
 #include "space/horizons.h"
@@ -29,6 +30,7 @@ SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
   validate_in_space(options);
   for (const RobotSetup& setup : scene.robots) {
     robots.push_back(robot_of(setup));
+    has_downwash = has_downwash || robots.back().downwash > 0.0;
     const double range = space::box_range(robots.back(), options);
     trips.push_back({setup.goal, setup.preferred_speed,
                      scene.moving_obstacles.empty() ? range : std::max(range, options.wall_range)});
@@ -37,6 +39,7 @@ SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
   movers.move_to(steps, scenario.moving_obstacles, scenario.time_step);
   for (std::size_t m = 0; m < movers.now.size(); ++m) movers.begin(m);
   bodies.reserve(robots.size());
+  has_stood.resize(robots.size());
   routes = SpaceRoutes(scene.boxes, robots, goals(), scene.navigation);
 }
 
@@ -102,23 +105,59 @@ void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
 
 void SpaceFleet::head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker) {
   worker.neighbors.clear();
-  for (const Run& run : !routes.passages().empty() ? around.runs : std::span<const Run>()) {
+  const bool looks = !routes.passages().empty() || shares_goal(k);
+  for (const Run& run : looks ? around.runs : std::span<const Run>()) {
     for (std::size_t place = run.first; place < run.last; ++place) {
       const Neighbor other = around.bodies.neighbor(place);
       if (static_cast<double>(place) != around.self && is_in_range(other.position, k))
         worker.neighbors.push_back(other);
     }
   }
-  head_for_goal(k, worker.neighbors, robots[k], routes.memory(k), worker.routes);
+  const Travelling own{robots[k], routes.memory(k), detours[k], has_stood[k]};
+  head_for_goal(k, worker.neighbors, own, worker);
 }
 
-Guide SpaceFleet::head_for_goal(std::size_t k, std::span<const Neighbor> company, Robot& robot,
-                                SpaceRoute& route, HeadingScratch& scratch) const {
-  const SpaceHeading heading = routes.heading(k, robot, trips[k].goal, trips[k].preferred_speed,
-                                              view_of(k, company), route, scratch);
+Guide SpaceFleet::head_for_goal(std::size_t k, std::span<const Neighbor> company,
+                                const Travelling& own, SpaceWorker& worker) const {
+  Robot& robot = own.robot;
+  const double speed = trips[k].preferred_speed;
+  const SpaceHeading heading =
+      routes.heading(k, robot, trips[k].goal, speed, view_of(k, company), own.route, worker.routes);
   robot.distance_to_goal = heading.left;
-  robot.preferred_velocity = preferred_velocity(robot, heading.goal, heading.speed, landing);
-  return heading.guide;
+  AtSharedGoal at;
+  if (shares_goal(k) && heading.guide != Guide::passage) at = near_goal(k, company, own, worker);
+  own.detour.goal_taken = at.is_taken, own.has_stood = at.has_stood ? 1 : 0;
+  robot.preferred_velocity = at.has_place
+                                 ? preferred_velocity(robot, at.place, speed, landing)
+                                 : preferred_velocity(robot, heading.goal, heading.speed, landing);
+  return at.has_place ? Guide::place : heading.guide;
+}
+
+AtSharedGoal SpaceFleet::near_goal(std::size_t k, std::span<const Neighbor> company,
+                                   const Travelling& own, SpaceWorker& worker) const {
+  const Robot& robot = own.robot;
+  const Vec3 goal = trips[k].goal;
+  const SpaceRoute* known = routes.route(k);
+  const bool is_kept_out = known != nullptr && !known->reaches;
+  if (is_kept_out || routes.is_behind_box(k, robot.position, goal)) return {};
+  const Seeker seeker{.position = robot.position,
+                      .goal = goal,
+                      .radius = robot.radius,
+                      .max_speed = robot.max_speed,
+                      .downwash = robot.downwash,
+                      .range = arrival_range(numbers_of(robot), robot.radius),
+                      // it finds no place in the downwash of others, nor beside moving obstacles
+                      .is_content = has_downwash || !worker.movers.empty(),
+                      .has_stood = own.has_stood != 0,
+                      .is_at_rest = robot.velocity == Vec3{},
+                      .is_near = shares[k] == Shares::goal &&
+                                 norm(goal - robot.position) <= scenario.arrival_distance};
+  look_at_goal(seeker, company, worker.occupied);
+  return at_shared_goal(seeker, worker.boxes, worker.occupied);
+}
+
+bool SpaceFleet::rests_at_place(std::size_t k) const {
+  return has_stood[k] != 0 && robots[k].velocity == Vec3{} && shares_goal(k);
 }
 
 void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
@@ -167,6 +206,8 @@ void SpaceFleet::move() {
 }
 
 void SpaceFleet::begin_step() {
+  if (has_new_goals) shares = shared_goals(robots, goals());
+  has_new_goals = false;
   sort();
   senses.note(robots, movers.now, steps);
   routes.begin_step(robots);

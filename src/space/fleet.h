@@ -18,8 +18,10 @@
 #include "space/decide.h"
 #include "space/goals.h"
 #include "space/mover_columns.h"
+#include "space/places.h"
 #include "space/routes/routes.h"
 #include "space/senses.h"
+#include "space/shared_goals.h"
 #include "space/workspace.h"
 
 namespace avo::space {
@@ -33,6 +35,7 @@ struct AVO_LOCAL SpaceWorker {
   std::vector<std::int32_t> box_number, mover_number;  // in the scene; the value of its id
   HeadingScratch routes;
   std::vector<Neighbor> neighbors;
+  Occupied occupied;
 };
 
 /// What a robot's scene says of its trip; near in memory, unlike the scene.
@@ -40,6 +43,14 @@ struct Trip {
   Vec3 goal;               // m
   double preferred_speed;  // m/s
   double box_range;        // m
+};
+
+/// What a robot knows and remembers on its way to its goal.
+struct Travelling {
+  Robot& robot;
+  SpaceRoute& route;
+  Detour& detour;
+  std::uint8_t& has_stood;  ///< see Seeker::has_stood
 };
 
 /// The robots of a scene and what they know. Columns by the number of the robot in the scene.
@@ -62,6 +73,10 @@ struct AVO_LOCAL SpaceFleet {
   std::vector<Plan> plans;
   std::vector<Trip> trips;
   SpaceRoutes routes;
+  std::vector<Shares> shares;           // see shared_goals(), as of the last step
+  std::vector<std::uint8_t> has_stood;  // see Seeker::has_stood
+  bool has_new_goals = true;
+  bool has_downwash = false;  // some robot has
   std::vector<SpaceWorker> workers;
   std::int64_t steps = 0;
 
@@ -69,6 +84,8 @@ struct AVO_LOCAL SpaceFleet {
   void step();
   void find_routes();
   [[nodiscard]] std::vector<Vec3> goals() const;
+  /// Returns whether robot k rests at a place near a goal that leaves no room for it.
+  [[nodiscard]] bool rests_at_place(std::size_t k) const;
   /// What robot k senses and wants before the next step, by the functions of a step.
   Simulation::Perception perceive(std::size_t k);
 
@@ -91,8 +108,15 @@ struct AVO_LOCAL SpaceFleet {
     return {company, detours[k].angle, sensing_radius, law.time_step};
   }
   /// Sets the preferred velocity of a robot with the state of robot k. Returns what guides it.
-  Guide head_for_goal(std::size_t k, std::span<const Neighbor> company, Robot& robot,
-                      SpaceRoute& route, HeadingScratch& scratch) const;
+  Guide head_for_goal(std::size_t k, std::span<const Neighbor> company, const Travelling& own,
+                      SpaceWorker& worker) const;
+  /// Where a robot with the state of robot k heads for that shares its goal. Where that is its
+  /// route, it has no place.
+  AtSharedGoal near_goal(std::size_t k, std::span<const Neighbor> company, const Travelling& own,
+                         SpaceWorker& worker) const;
+  [[nodiscard]] bool shares_goal(std::size_t k) const {
+    return !shares.empty() && shares[k] != Shares::nothing;
+  }
   /// Decides for the robot at that place in the order of the cells.
   void decide(std::size_t at, SpaceWorker& worker);
   /// Calls visit(k, worker) for all k below the number of robots, in parallel where they are many.

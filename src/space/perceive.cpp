@@ -55,7 +55,8 @@ Simulation::Perception SpaceFleet::perceive(std::size_t k) {
   SpaceRoute route = routes.memory(k);
   const double yielded = route.yielded;
   const PassageView company = view_of(k, seen.neighbors);
-  seen.guide = head_for_goal(k, seen.neighbors, seen.robot, route, worker.routes);
+  std::uint8_t stood = has_stood[k];
+  seen.guide = head_for_goal(k, seen.neighbors, {seen.robot, route, seen.detour, stood}, worker);
   if (seen.guide != Guide::passage) return seen;
   route.yielded = yielded;
   if (const auto wait = routes.wait(k, seen.robot, company, route, worker.routes))

@@ -79,8 +79,9 @@ Vec3 Simulation::goal(RobotId robot) const {
 bool Simulation::is_at_goal(RobotId robot) const {
   const std::size_t k = state_->find(robot);
   const Vec3 position = state_->robots[k].position, to = goal(robot);
-  return norm(to - position) <= state_->scenario.arrival_distance &&
-         !state_->routes.is_behind_box(k, position, to);
+  const bool is_there = norm(to - position) <= state_->scenario.arrival_distance &&
+                        !state_->routes.is_behind_box(k, position, to);
+  return is_there || state_->rests_at_place(k);
 }
 
 bool Simulation::all_at_goal() const {
@@ -133,6 +134,8 @@ void Simulation::set_goal(RobotId robot, Vec3 goal) {
   Vec3& own = state_->scenario.robots[k].goal;
   if (own == goal) return;
   own = state_->trips[k].goal = goal;
+  state_->has_new_goals = true;
+  state_->has_stood[k] = 0;
   state_->routes.include(goal);
   state_->routes.look(k, state_->robots[k], goal, state_->workers.front().routes);
   Detour& detour = state_->detours[k];

@@ -79,6 +79,11 @@ Words wait_of(const Simulation::Wait& wait) {
 // What leads the robot elsewhere than along its route; nothing where nothing does.
 Words guide_of(const Explanation& e) {
   if (e.seen.guide == Guide::passage) return "it gives way at a passage";
+  if (e.seen.guide == Guide::place) {
+    const bool stays = e.seen.robot.preferred_velocity == Vec3{};
+    return Words("others have its goal as well, so it ") +
+           (stays ? "stays near it" : "goes to a free place near it");
+  }
   if (e.distance_left > 0.0 && is_slow(e, e.seen.robot.preferred_velocity))
     return is_kept_from_goal("obstacles", e.distance_left);
   return "";

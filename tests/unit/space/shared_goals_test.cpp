@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Robots of space with one goal come to rest around it.
+#include "space/shared_goals.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "avo/space/check.h"
+#include "avo/space/explanation.h"
+#include "avo/space/simulation.h"
+#include "unit/space/draws.h"
+#include "unit/space/runs.h"
+
+namespace avo::space::tests {
+namespace {
+
+// Robots that come from all sides, 10 to 20 m away.
+Scenario rally(int count, std::uint64_t seed) {
+  Scenario scene;
+  scene.duration = 60.0;
+  Draws draws(seed);
+  while (static_cast<int>(scene.robots.size()) < count) {
+    RobotSetup robot;
+    robot.position = draws.between(10.0, 20.0) * draws.direction();
+    const bool is_free = std::none_of(
+        scene.robots.begin(), scene.robots.end(),
+        [&](const RobotSetup& other) { return norm(other.position - robot.position) < 1.2; });
+    if (is_free) scene.robots.push_back(robot);
+  }
+  return scene;
+}
+
+// s: when a robot that is alone comes to rest at its goal.
+double last_alone(const Scenario& scene) {
+  double last = 0.0;
+  for (const RobotSetup& robot : scene.robots)
+    last = std::max(last, norm(robot.goal - robot.position) / robot.preferred_speed +
+                              robot.max_speed / robot.max_acceleration);
+  return last;
+}
+
+bool all_rest(const Simulation& simulation) {
+  const std::span<const Robot> robots = simulation.robots();
+  return std::all_of(robots.begin(), robots.end(),
+                     [](const Robot& robot) { return robot.velocity == Vec3{}; });
+}
+
+// Runs until all rest at their goals, and then on: nobody moves again.
+void expect_rest(const Scenario& scene) {
+  Simulation simulation(scene);
+  Metrics metrics(scene);
+  metrics.observe(simulation);
+  const double most = 1.5 * last_alone(scene) + 10.0;
+  while (!(simulation.steps() > 0 && simulation.all_at_goal() && all_rest(simulation)) &&
+         simulation.time() < most) {
+    simulation.step();
+    metrics.observe(simulation);
+  }
+  EXPECT_TRUE(all_rest(simulation));
+  EXPECT_TRUE(simulation.all_at_goal());
+  std::vector<Vec3> places;
+  for (const Robot& robot : simulation.robots()) places.push_back(robot.position);
+  for (int k = 0; k < 50; ++k) simulation.step();
+  for (std::size_t k = 0; k < places.size(); ++k)
+    EXPECT_EQ(simulation.robots()[k].position, places[k]) << "robot " << k;
+  EXPECT_EQ(metrics.summary().collision_pairs, 0);
+}
+
+TEST(SharedGoalsInSpace, come_to_rest_around_their_goal) {
+  for (const int count : {2, 4, 8, 27}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      SCOPED_TRACE(std::to_string(count) + " robots, seed " + std::to_string(seed));
+      expect_rest(rally(count, seed));
+    }
+  }
+}
+
+TEST(SharedGoalsInSpace, come_to_rest_with_downwash) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scenario scene = rally(12, seed);
+    for (RobotSetup& robot : scene.robots) robot.downwash = 1.0;
+    expect_rest(scene);
+  }
+}
+
+// Thirteen balls that touch reach 1 m from the middle one. They leave more room, and not much more.
+TEST(SharedGoalsInSpace, stand_close_together) {
+  Simulation simulation(rally(13, 4));
+  while (simulation.time() < 40.0) simulation.step();
+  for (const Robot& robot : simulation.robots()) EXPECT_LE(norm(robot.position), 2.2);
+}
+
+TEST(SharedGoalsInSpace, are_perceived_as_the_step_decides) {
+  const Scenario scene = rally(8, 5);
+  Simulation simulation(scene);
+  int stay = 0, head = 0;
+  while (simulation.time() < 25.0) {
+    std::vector<Plan> expected;
+    for (std::size_t k = 0; k < simulation.size(); ++k) {
+      const Explanation why = simulation.explain({k});
+      expected.push_back(why.decision.plan);
+      stay += why.sentence.find("stays near it") != std::string::npos ? 1 : 0;
+      head += why.sentence.find("goes to a free place near it") != std::string::npos ? 1 : 0;
+    }
+    simulation.step();
+    for (std::size_t k = 0; k < simulation.size(); ++k)
+      ASSERT_EQ(simulation.plans()[k].next_velocity, expected[k].next_velocity)
+          << "robot " << k << " at " << simulation.time() << " s";
+  }
+  EXPECT_GT(stay, 0);
+  EXPECT_GT(head, 0);
+}
+
+TEST(SharedGoalsInSpace, let_a_robot_with_another_goal_out) {
+  Simulation simulation(rally(8, 6));
+  while (simulation.time() < 30.0) simulation.step();
+  std::size_t inner = 0;
+  for (std::size_t k = 0; k < simulation.size(); ++k)
+    if (norm(simulation.robots()[k].position) < norm(simulation.robots()[inner].position))
+      inner = k;
+  simulation.set_goal({inner}, {0.0, 0.0, 15.0});
+  EXPECT_FALSE(simulation.is_at_goal({inner}));
+  while (simulation.time() < 90.0) simulation.step();
+  EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_TRUE(all_rest(simulation));
+}
+
+TEST(SharedGoalsInSpace, are_goals_that_both_robots_cannot_have) {
+  const std::vector<Robot> robots(4);
+  const std::vector<Vec3> apart{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  EXPECT_TRUE(shared_goals(robots, apart).empty());
+  const std::vector<Vec3> goals{{0, 0, 0}, {5, 0, 0}, {0.5, 0.5, 0.5}, {5, 0, 0}};
+  EXPECT_EQ(shared_goals(robots, goals),
+            (std::vector{Shares::room, Shares::goal, Shares::room, Shares::goal}));
+  std::vector<Robot> blowing(4);
+  blowing[3].downwash = 1.5;
+  const std::vector<Vec3> above{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 2}};
+  EXPECT_EQ(shared_goals(blowing, above),
+            (std::vector{Shares::room, Shares::nothing, Shares::nothing, Shares::room}));
+}
+
+// A judge that knows places alone.
+TEST(SharedGoalsInSpace, have_arrived_where_robots_at_rest_lead_to_the_goal) {
+  const auto arrived = [](Vec3 outer, Vec3 velocity) {
+    Check check({CheckedRobot{.goal = Vec3{}}, CheckedRobot{.goal = Vec3{}}}, {});
+    for (const double time : {0.0, 0.1})
+      check.add(time,
+                std::vector<CheckedState>{{0, {}, {}}, {1, outer + time * velocity, velocity}});
+    return check.report().arrived;
+  };
+  EXPECT_EQ(arrived({0.0, 0.0, 1.9}, {}), 2);
+  EXPECT_EQ(arrived({0.0, 0.0, 2.1}, {}), 1) << "a robot fits through";
+  EXPECT_EQ(arrived({0.0, 0.0, 1.9}, {0.01, 0.0, 0.0}), 1) << "it moves";
+}
+
+}  // namespace
+}  // namespace avo::space::tests
