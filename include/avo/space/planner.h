@@ -39,10 +39,11 @@ struct Detour {
   float beside = 0.0F;       ///< v_max/a_max, 0 to 200: how long others have been beside it
   float congestion = 0.0F;   ///< number of robots ahead that it is used to, 0 to 2.8
   bool has_arrived = false;  ///< whether it was within arrival_distance of its goal, beside others
-  /// Whether others are at rest on its goal. Such a robot goes to a place near it without rules 1 to
-  /// 3. Without a preferred velocity it brakes until it rests, whatever pushes it.
+  /// Whether others are at rest on its goal. Such a robot goes to a place near the goal, without
+  /// the rules 1, 2 and 3. Without a preferred velocity it brakes until it rests, whatever pushes
+  /// it.
   bool goal_taken = false;
-  Vec3 acceleration = {};    ///< m/s², of its last step; 0 for a robot that has not moved
+  Vec3 acceleration = {};  ///< m/s², of its last step; 0 for a robot that has not moved
 };
 
 /// Scratch memory of a Planner; reuse it, and nothing is allocated once it has grown. Use one per
