@@ -124,7 +124,7 @@ Guide SpaceFleet::head_for_goal(std::size_t k, std::span<const Neighbor> company
   const SpaceHeading heading =
       routes.heading(k, robot, trips[k].goal, speed, view_of(k, company), own.route, worker.routes);
   robot.distance_to_goal = heading.left;
-  AtSharedGoal at;
+  SpaceAtSharedGoal at;
   if (shares_goal(k) && heading.guide != Guide::passage) at = near_goal(k, company, own, worker);
   own.detour.goal_taken = at.is_taken, own.has_stood = at.has_stood ? 1 : 0;
   robot.preferred_velocity = at.has_place
@@ -133,25 +133,26 @@ Guide SpaceFleet::head_for_goal(std::size_t k, std::span<const Neighbor> company
   return at.has_place ? Guide::place : heading.guide;
 }
 
-AtSharedGoal SpaceFleet::near_goal(std::size_t k, std::span<const Neighbor> company,
-                                   const Travelling& own, SpaceWorker& worker) const {
+SpaceAtSharedGoal SpaceFleet::near_goal(std::size_t k, std::span<const Neighbor> company,
+                                        const Travelling& own, SpaceWorker& worker) const {
   const Robot& robot = own.robot;
   const Vec3 goal = trips[k].goal;
   const SpaceRoute* known = routes.route(k);
   const bool is_kept_out = known != nullptr && !known->reaches;
   if (is_kept_out || routes.is_behind_box(k, robot.position, goal)) return {};
-  const Seeker seeker{.position = robot.position,
-                      .goal = goal,
-                      .radius = robot.radius,
-                      .max_speed = robot.max_speed,
-                      .downwash = robot.downwash,
-                      .range = arrival_range(numbers_of(robot), robot.radius),
-                      // it finds no place in the downwash of others, nor beside moving obstacles
-                      .is_content = has_downwash || !worker.movers.empty(),
-                      .has_stood = own.has_stood != 0,
-                      .is_at_rest = robot.velocity == Vec3{},
-                      .is_near = shares[k] == Shares::goal &&
-                                 norm(goal - robot.position) <= scenario.arrival_distance};
+  const SpaceSeeker seeker{
+      .position = robot.position,
+      .goal = goal,
+      .radius = robot.radius,
+      .max_speed = robot.max_speed,
+      .downwash = robot.downwash,
+      .range = arrival_range(numbers_of(robot), robot.radius),
+      // it finds no place in the downwash of others, nor beside moving obstacles
+      .is_content = has_downwash || !worker.movers.empty(),
+      .has_stood = own.has_stood != 0,
+      .is_at_rest = robot.velocity == Vec3{},
+      .is_near = shares[k] == SpaceShares::goal &&
+                 norm(goal - robot.position) <= scenario.arrival_distance};
   look_at_goal(seeker, company, worker.occupied);
   return at_shared_goal(seeker, worker.boxes, worker.occupied);
 }

@@ -35,7 +35,7 @@ struct AVO_LOCAL SpaceWorker {
   std::vector<std::int32_t> box_number, mover_number;  // in the scene; the value of its id
   HeadingScratch routes;
   std::vector<Neighbor> neighbors;
-  Occupied occupied;
+  SpaceOccupied occupied;
 };
 
 /// What a robot's scene says of its trip; near in memory, unlike the scene.
@@ -50,7 +50,7 @@ struct Travelling {
   Robot& robot;
   SpaceRoute& route;
   Detour& detour;
-  std::uint8_t& has_stood;  ///< see Seeker::has_stood
+  std::uint8_t& has_stood;  ///< see SpaceSeeker::has_stood
 };
 
 /// The robots of a scene and what they know. Columns by the number of the robot in the scene.
@@ -73,8 +73,8 @@ struct AVO_LOCAL SpaceFleet {
   std::vector<Plan> plans;
   std::vector<Trip> trips;
   SpaceRoutes routes;
-  std::vector<Shares> shares;           // see shared_goals(), as of the last step
-  std::vector<std::uint8_t> has_stood;  // see Seeker::has_stood
+  std::vector<SpaceShares> shares;      // see shared_goals(), as of the last step
+  std::vector<std::uint8_t> has_stood;  // see SpaceSeeker::has_stood
   bool has_new_goals = true;
   bool has_downwash = false;  // some robot has
   std::vector<SpaceWorker> workers;
@@ -112,10 +112,10 @@ struct AVO_LOCAL SpaceFleet {
                       SpaceWorker& worker) const;
   /// Where a robot with the state of robot k heads for that shares its goal. Where that is its
   /// route, it has no place.
-  AtSharedGoal near_goal(std::size_t k, std::span<const Neighbor> company, const Travelling& own,
-                         SpaceWorker& worker) const;
+  SpaceAtSharedGoal near_goal(std::size_t k, std::span<const Neighbor> company,
+                              const Travelling& own, SpaceWorker& worker) const;
   [[nodiscard]] bool shares_goal(std::size_t k) const {
-    return !shares.empty() && shares[k] != Shares::nothing;
+    return !shares.empty() && shares[k] != SpaceShares::nothing;
   }
   /// Decides for the robot at that place in the order of the cells.
   void decide(std::size_t at, SpaceWorker& worker);

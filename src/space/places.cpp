@@ -21,7 +21,7 @@ Vec3 away_from(Vec3 a, double downwash_a, Vec3 b, double downwash_b) {
   return away;
 }
 
-double place_reach(const Resting& other) {
+double place_reach(const SpaceResting& other) {
   return (1.0 + kPlaceGap) * other.reach;
 }
 
@@ -35,9 +35,9 @@ double distance_to_segment(Vec3 point, Vec3 a, Vec3 b) {
 // The free place in sight of least cost, see the plane's. The nearest free place is where a ball
 // around a robot at rest is nearest to the goal, or where the circle is in which two balls meet, or
 // the circle that is last seen, or where three balls meet.
-class PlaceSearch {
+class SpacePlaceSearch {
  public:
-  PlaceSearch(const Seeker& seeker, Occupied& occupied, std::span<const Box> boxes)
+  SpacePlaceSearch(const SpaceSeeker& seeker, SpaceOccupied& occupied, std::span<const Box> boxes)
       : seeker_(seeker),
         resting_(occupied.resting),
         worth_(occupied.worth),
@@ -58,7 +58,7 @@ class PlaceSearch {
   }
 
  private:
-  void try_ball(const Resting& other) {
+  void try_ball(const SpaceResting& other) {
     const Vec3 to_goal = seeker_.goal - other.position;
     const double left = norm(to_goal);
     if (left > 0.0) try_place(other.position + (place_reach(other) / left) * to_goal);
@@ -73,7 +73,7 @@ class PlaceSearch {
   }
 
   // Returns whether a place on its ball may be better, for any rounding.
-  [[nodiscard]] bool may_be_worth(const Resting& other) const {
+  [[nodiscard]] bool may_be_worth(const SpaceResting& other) const {
     const double most = (1.0 + kRoundedOff) * (cost_ + place_reach(other));
     return norm_squared(other.position - seeker_.goal) <= most * most;
   }
@@ -89,7 +89,7 @@ class PlaceSearch {
     return std::nullopt;
   }
 
-  void try_tangents(const Resting& other) {
+  void try_tangents(const SpaceResting& other) {
     const Vec3 line = other.position - seeker_.position;
     const double d2 = norm_squared(line), reach = place_reach(other);
     const double square = d2 - reach * reach;
@@ -99,7 +99,7 @@ class PlaceSearch {
     if (place) try_place(*place);
   }
 
-  void try_crossing(const Resting& first, const Resting& second) {
+  void try_crossing(const SpaceResting& first, const SpaceResting& second) {
     const Vec3 between = second.position - first.position;
     const double d = norm(between), a = place_reach(first), b = place_reach(second);
     if (!(d > 0.0) || d >= a + b || d <= std::abs(a - b)) return;
@@ -109,12 +109,13 @@ class PlaceSearch {
     const auto place = nearest_on_circle(first.position + along * axis, axis, across);
     if (!place) return;
     // the ball that covers this place leaves two others of the circle
-    if (const Resting* third = try_place(*place)) try_corners(first, axis, along, across, *third);
+    if (const SpaceResting* third = try_place(*place))
+      try_corners(first, axis, along, across, *third);
   }
 
   // Where a third ball meets the circle of two, which has that axis.
-  void try_corners(const Resting& first, Vec3 axis, double along, double across,
-                   const Resting& third) {
+  void try_corners(const SpaceResting& first, Vec3 axis, double along, double across,
+                   const SpaceResting& third) {
     const Vec3 middle = first.position + along * axis, to = third.position - middle;
     const double off = dot(to, axis), reach = place_reach(third);
     const Vec3 beside = to - off * axis;
@@ -132,12 +133,12 @@ class PlaceSearch {
   }
 
   // Returns the robot at rest that is in the way of a place that would be worth it.
-  const Resting* try_place(Vec3 place) {
+  const SpaceResting* try_place(Vec3 place) {
     const double left = norm(place - seeker_.goal);
     if (!(left < cost_)) return nullptr;
     const double cost = left + kWorth * norm(place - seeker_.position);
     if (!(cost < cost_)) return nullptr;
-    for (const Resting& other : resting_)
+    for (const SpaceResting& other : resting_)
       if (!is_free_of(other, place)) return &other;
     const bool is_clear_of_boxes = std::all_of(boxes_.begin(), boxes_.end(), [&](const Box& box) {
       return nearest(seeker_.position, place, box).distance >= seeker_.radius + box.radius;
@@ -147,22 +148,22 @@ class PlaceSearch {
   }
 
   // A robot in contact with a robot at rest may leave it.
-  [[nodiscard]] bool is_free_of(const Resting& other, Vec3 place) const {
+  [[nodiscard]] bool is_free_of(const SpaceResting& other, Vec3 place) const {
     const double before = norm(seeker_.position - other.position);
     const double needed = std::min((1.0 + kLineGap) * other.reach, (1.0 - kRoundedOff) * before);
     return norm(place - other.position) >= (1.0 - kRoundedOff) * place_reach(other) &&
            distance_to_segment(other.position, seeker_.position, place) >= needed;
   }
 
-  const Seeker& seeker_;
-  std::span<const Resting> resting_;
+  const SpaceSeeker& seeker_;
+  std::span<const SpaceResting> resting_;
   std::vector<std::uint32_t>& worth_;  // the elements of resting_ so far that were worth a test
   std::span<const Box> boxes_;
   Vec3 best_;
   double cost_ = 0.0;  // m
 };
 
-void note(const Seeker& seeker, const Neighbor& other, Occupied& seen) {
+void note(const SpaceSeeker& seeker, const Neighbor& other, SpaceOccupied& seen) {
   const double reach = seeker.radius + other.radius;
   const double distance =
       norm(away_from(seeker.position, seeker.downwash, other.position, other.downwash));
@@ -181,10 +182,10 @@ void note(const Seeker& seeker, const Neighbor& other, Occupied& seen) {
                          dot(other.velocity, out) > kComesOut * seeker.max_speed * from_goal);
 }
 
-bool is_at_crowd(const Seeker& seeker, Occupied& occupied, std::span<const Box> boxes) {
+bool is_at_crowd(const SpaceSeeker& seeker, SpaceOccupied& occupied, std::span<const Box> boxes) {
   if (!occupied.is_on_goal) return false;
   const auto leads_on = [&](Vec3 from, double downwash, double reach) {
-    return [&boxes, from, downwash, reach](const Resting& next) {
+    return [&boxes, from, downwash, reach](const SpaceResting& next) {
       const Vec3 away = away_from(from, downwash, next.position, next.downwash);
       return norm(away) < reach + next.reach &&
              std::none_of(boxes.begin(), boxes.end(), [&](const Box& box) {
@@ -196,32 +197,34 @@ bool is_at_crowd(const Seeker& seeker, Occupied& occupied, std::span<const Box> 
   return leads_to_goal(
       occupied.resting.begin(), occupied.resting.end(),
       leads_on(seeker.position, seeker.downwash, 2.0 * seeker.radius),
-      [&](const Resting& one) { return leads_on(one.position, one.downwash, one.reach); });
+      [&](const SpaceResting& one) { return leads_on(one.position, one.downwash, one.reach); });
 }
 
 }  // namespace
 
-void look_at_goal(const Seeker& seeker, std::span<const Neighbor> neighbors, Occupied& seen) {
+void look_at_goal(const SpaceSeeker& seeker, std::span<const Neighbor> neighbors,
+                  SpaceOccupied& seen) {
   seen.resting.clear();
   seen.is_near = seen.is_on_goal = seen.comes_out = false;
   for (const Neighbor& other : neighbors) note(seeker, other, seen);
-  const auto place = [](const Resting& a) {
+  const auto place = [](const SpaceResting& a) {
     return std::tuple(a.position.x, a.position.y, a.position.z);
   };
   std::sort(seen.resting.begin(), seen.resting.end(),
-            [&](const Resting& a, const Resting& b) { return place(a) < place(b); });
+            [&](const SpaceResting& a, const SpaceResting& b) { return place(a) < place(b); });
 }
 
-Vec3 place_near(const Seeker& seeker, Occupied& occupied, std::span<const Box> boxes) {
+Vec3 place_near(const SpaceSeeker& seeker, SpaceOccupied& occupied, std::span<const Box> boxes) {
   if (!occupied.is_taken()) return seeker.goal;
-  return PlaceSearch(seeker, occupied, boxes).best();
+  return SpacePlaceSearch(seeker, occupied, boxes).best();
 }
 
-AtSharedGoal at_shared_goal(const Seeker& seeker, std::span<const Box> boxes, Occupied& occupied) {
+SpaceAtSharedGoal at_shared_goal(const SpaceSeeker& seeker, std::span<const Box> boxes,
+                                 SpaceOccupied& occupied) {
   const bool taken = occupied.is_taken();
   if (!seeker.is_near && !taken) return {};
   const bool stays = seeker.is_near || (seeker.is_content && is_at_crowd(seeker, occupied, boxes));
-  AtSharedGoal at{.has_place = true, .place = seeker.position};
+  SpaceAtSharedGoal at{.has_place = true, .place = seeker.position};
   if (!stays) at.place = place_near(seeker, occupied, boxes);
   const bool is_there = at.place == seeker.position;
   const bool may_stand =

@@ -12,7 +12,7 @@
 namespace avo::space {
 
 /// A robot that comes to its goal. Lengths in m.
-struct Seeker {
+struct SpaceSeeker {
   Vec3 position, goal;
   double radius = 0.0, max_speed = 0.0;  // m, m/s
   double downwash = 0.0;
@@ -24,7 +24,7 @@ struct Seeker {
 };
 
 /// Another robot that is nearly at rest.
-struct Resting {
+struct SpaceResting {
   Vec3 position;                   ///< m
   double reach = 0.0;              ///< m, from its center to the seeker's, in contact
   double from_goal_squared = 0.0;  ///< m², of the seeker, from its downwash
@@ -32,8 +32,8 @@ struct Resting {
 };
 
 /// What a seeker sees of others. Allocates only while it grows.
-struct Occupied {
-  std::vector<Resting> resting;
+struct SpaceOccupied {
+  std::vector<SpaceResting> resting;
   std::vector<std::uint32_t> worth;  ///< scratch memory
   bool is_near = false;              ///< one of them is near the seeker
   bool is_on_goal = false;           ///< one of them stands on the goal
@@ -43,19 +43,21 @@ struct Occupied {
 };
 
 /// Sets what the seeker sees, whatever the order of the neighbors.
-void look_at_goal(const Seeker& seeker, std::span<const Neighbor> neighbors, Occupied& seen);
+void look_at_goal(const SpaceSeeker& seeker, std::span<const Neighbor> neighbors,
+                  SpaceOccupied& seen);
 
 /// m: a free place that is nearer to the goal, to which a straight line leads. Where there is none,
 /// it is the seeker's own position.
-Vec3 place_near(const Seeker& seeker, Occupied& occupied, std::span<const Box> boxes);
+Vec3 place_near(const SpaceSeeker& seeker, SpaceOccupied& occupied, std::span<const Box> boxes);
 
 /// What a robot does that has its goal in sight.
-struct AtSharedGoal {
+struct SpaceAtSharedGoal {
   bool has_place = false;  ///< it heads for `place`, else for its goal
   Vec3 place;              ///< m; its own position: it stays
   bool is_taken = false;   ///< see Detour::goal_taken
-  bool has_stood = false;  ///< the new value of Seeker::has_stood
+  bool has_stood = false;  ///< the new value of SpaceSeeker::has_stood
 };
-AtSharedGoal at_shared_goal(const Seeker& seeker, std::span<const Box> boxes, Occupied& occupied);
+SpaceAtSharedGoal at_shared_goal(const SpaceSeeker& seeker, std::span<const Box> boxes,
+                                 SpaceOccupied& occupied);
 
 }  // namespace avo::space

@@ -20,7 +20,7 @@ bool overlap(const Robot& a, Vec3 goal_a, const Robot& b, Vec3 goal_b) {
 
 }  // namespace
 
-std::vector<Shares> shared_goals(std::span<const Robot> robots, std::span<const Vec3> goals) {
+std::vector<SpaceShares> shared_goals(std::span<const Robot> robots, std::span<const Vec3> goals) {
   std::vector<std::size_t> order(robots.size());
   double largest = 0.0;  // m
   for (std::size_t k = 0; k < order.size(); ++k)
@@ -28,8 +28,8 @@ std::vector<Shares> shared_goals(std::span<const Robot> robots, std::span<const 
   const auto place = [&](std::size_t k) { return std::tuple(goals[k].x, goals[k].y, goals[k].z); };
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
-  std::vector<Shares> shares;
-  const auto note = [&](std::size_t k, Shares found) {
+  std::vector<SpaceShares> shares;
+  const auto note = [&](std::size_t k, SpaceShares found) {
     shares.resize(robots.size());
     shares[k] = std::max(shares[k], found);
   };
@@ -38,7 +38,7 @@ std::vector<Shares> shared_goals(std::span<const Robot> robots, std::span<const 
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       const std::size_t b = order[j];
       if (goals[b].x - goals[a].x >= robots[a].radius + largest) break;
-      const Shares found = goals[a] == goals[b] ? Shares::goal : Shares::room;
+      const SpaceShares found = goals[a] == goals[b] ? SpaceShares::goal : SpaceShares::room;
       if (overlap(robots[a], goals[a], robots[b], goals[b])) note(a, found), note(b, found);
     }
   }

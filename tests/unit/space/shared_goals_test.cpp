@@ -135,13 +135,13 @@ TEST(SharedGoalsInSpace, are_goals_that_both_robots_cannot_have) {
   const std::vector<Vec3> apart{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   EXPECT_TRUE(shared_goals(robots, apart).empty());
   const std::vector<Vec3> goals{{0, 0, 0}, {5, 0, 0}, {0.5, 0.5, 0.5}, {5, 0, 0}};
-  EXPECT_EQ(shared_goals(robots, goals),
-            (std::vector{Shares::room, Shares::goal, Shares::room, Shares::goal}));
+  EXPECT_EQ(shared_goals(robots, goals), (std::vector{SpaceShares::room, SpaceShares::goal,
+                                                      SpaceShares::room, SpaceShares::goal}));
   std::vector<Robot> blowing(4);
   blowing[3].downwash = 1.5;
   const std::vector<Vec3> above{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 2}};
-  EXPECT_EQ(shared_goals(blowing, above),
-            (std::vector{Shares::room, Shares::nothing, Shares::nothing, Shares::room}));
+  EXPECT_EQ(shared_goals(blowing, above), (std::vector{SpaceShares::room, SpaceShares::nothing,
+                                                       SpaceShares::nothing, SpaceShares::room}));
 }
 
 // A judge that knows places alone.
