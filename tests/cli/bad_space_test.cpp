@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 // Two robots, the second of a group; more lines follow from line 5 on.
-const std::string kHead =
+const std::string kSpaceHead =
     "version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 0], goal: [9, 0, 0]}\n";
 const std::string kKinds =
     "floor, ceiling, box, polyline, polygon, disc, wkt, wkt_file, geojson, map, ros_map";
@@ -22,7 +22,7 @@ const std::string kKeys =
     "cell, origin";
 
 BadScene bad(const char* name, const std::string& more, const std::string& message) {
-  return {name, kHead + more + "\n", message};
+  return {name, kSpaceHead + more + "\n", message};
 }
 
 BadScene obstacle(const char* name, const std::string& text, const std::string& message) {
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BadSpace, testing::ValuesIn(kScenes),
 
 // A robot at rest, and what is said of other rows.
 std::string judged(const std::string& rows) {
-  write_file(path_of("two.yaml"), kHead + "  - {position: [0, 5, 0], goal: [9, 5, 0]}\n");
+  write_file(path_of("two.yaml"), kSpaceHead + "  - {position: [0, 5, 0], goal: [9, 5, 0]}\n");
   write_file(path_of("two.csv"), "time,robot,x,y,z,vx,vy,vz\n" + rows);
   return run_avo({"check", path_of("two.csv"), "--scene", path_of("two.yaml")}).err;
 }
