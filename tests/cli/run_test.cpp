@@ -176,7 +176,7 @@ TEST(Run, tells_whom_walls_keep_from_their_goals) {
   const ProcessResult result = run_avo({"run", scene, "--summary", out, "--record", csv});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
-  EXPECT_NE(result.err.find("leads to the goal of robot 0 (to 2.5 m); a way has"),
+  EXPECT_NE(result.err.find("leads to the goal of robot 0 (to 2.5 m); a route has"),
             std::string::npos)
       << result.err;
   const Json json = Json::parse(read_file(out));

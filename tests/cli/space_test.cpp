@@ -90,7 +90,7 @@ obstacles:
 )");
   const ProcessResult told = run_avo({"validate", scene});
   EXPECT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_THAT(told.err, HasSubstr("robot 0: its goal [4, 0, 0] cannot be reached by any way"));
+  EXPECT_THAT(told.err, HasSubstr("robot 0: its goal [4, 0, 0] cannot be reached by any route"));
   EXPECT_THAT(told.err, HasSubstr("robot 1: its goal [-0.5, 2, 0] is nearer to an obstacle than"));
   const ProcessResult run = run_avo({"run", scene});
   EXPECT_EQ(run.exit_code, 0) << run.err;
