@@ -238,7 +238,7 @@ def go_back():
 
 
 def make_room():
-    figure = Figure("make-room", "A robot at its goal in a passage goes on before another robot comes near", 760, 270)
+    figure = Figure("make-room", "A robot at its goal in a passage goes on ahead of a robot that comes near", 760, 270)
     figure.view((45, 110), 35)
     length, half = 13.0, DOOR / 2
     for sign in (-1, 1):
@@ -279,7 +279,7 @@ def go_around():
     figure.robot(b, GRAY, "B"), figure.robot(a, BLUE, "A")
     figure.dot(end, BLUE, 4.5)
     figure.text(end, "goal of A", BLUE, "middle", 0, 22)
-    figure.text((11.9, 0), "its route, of length L", RED, dy=-8)
+    figure.text((12.0, 0), "route, of length L", RED, dy=-8)
     figure.text(((left + right) / 2, other), "the route around, of length L'", BLUE, "middle", 0, -8)
     figure.view((0, 342), 1)
     figure.text((30, 44), f"t: since when A, with others near, has not come nearer to its goal by {WALLS.kComesNearer:g} r")
@@ -288,7 +288,7 @@ def go_around():
 
 
 def go_back_from_a_jam():
-    figure = Figure("go-back-from-a-jam", "Who has waited long in a jam goes back for half of the time", 760, 330)
+    figure = Figure("go-back-from-a-jam", "A robot that has waited long in a jam goes back for half of the time", 760, 330)
     figure.view((40, 92), 27)
     half, rest = 2.6, (12.6, -1.5)  # r: a way of two lanes, and somebody at its goal in it
     figure.wall((0, half), (25, half)), figure.wall((0, -half), (25, -half))
