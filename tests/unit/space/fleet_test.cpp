@@ -110,6 +110,23 @@ TEST(SpaceFleets, climb_and_sink_limit_the_vertical_speed_alone) {
   EXPECT_NEAR(flight({0, 0, -4}), 3.5 / 0.2, 2.0);
 }
 
+// The limits of acceleration and speed are met to the last bit, which rounding may exceed.
+TEST(SpaceFleets, what_rounding_alone_moves_is_not_refused) {
+  Scenario scene;
+  for (int k = 0; k < 20; ++k) {
+    RobotSetup robot;
+    robot.position = {100.0 * k, 0.0, 0.0};
+    robot.goal = {100.0 * k + 9.0, 1.0 + 0.7 * k, 3.0 + 0.3 * k};
+    robot.vertical = k % 2 == 0 ? 1.0 : 1.3;
+    scene.robots.push_back(robot);
+  }
+  Simulation simulation(scene, 1);
+  for (int step = 0; step < 200; ++step) {
+    simulation.step();
+    for (const Plan& plan : simulation.plans()) ASSERT_EQ(plan.status, PlanStatus::optimal) << step;
+  }
+}
+
 TEST(SpaceFleets, starts_that_break_limits_or_margins_are_refused) {
   const auto is_refused = [](const RobotSetup& robot, const std::vector<Box>& boxes = {}) {
     Scenario scene;
