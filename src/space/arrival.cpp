@@ -23,13 +23,6 @@ avo::Neighbor in_plane(const Neighbor& neighbor) {
   return same;
 }
 
-/// The vector from B's body to A's: from the nearest point of the downwash.
-Vec3 away_from(const Robot& robot, const Neighbor& neighbor) {
-  Vec3 away = robot.position - neighbor.position;
-  away.z -= std::clamp(away.z, -neighbor.downwash, robot.downwash);
-  return away;
-}
-
 // See avo::push_of().
 Vec3 push_of(const Robot& robot, const Neighbor& neighbor, Vec3 away, double distance) {
   avo::Robot a = numbers_of(robot);
@@ -52,7 +45,8 @@ Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looke
   traffic.ahead = looked.ahead;
   for (const std::uint32_t place : looked.beside) {
     const Neighbor neighbor = bodies.neighbor(place);
-    const Vec3 away = away_from(robot, neighbor);
+    const Vec3 away =
+        away_from(robot.position, robot.downwash, neighbor.position, neighbor.downwash);
     const double gap = norm(away), contact = robot.radius + neighbor.radius;
     if (!(gap > 0.0 && gap < (1.0 + kRoom) * contact)) continue;
     traffic.is_beside = true;

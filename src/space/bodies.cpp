@@ -107,4 +107,10 @@ StepLaw law_against(const Neighbor& neighbor, const StepLaw& law) {
   return result;
 }
 
+Vec3 away_from(Vec3 a, double downwash_a, Vec3 b, double downwash_b) {
+  Vec3 away = a - b;
+  away.z -= std::clamp(away.z, -downwash_b, downwash_a);
+  return away;
+}
+
 }  // namespace avo::space

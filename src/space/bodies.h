@@ -52,6 +52,10 @@ void fill_braking(const StepLaw& law, Bodies& bodies);
 /// direction of its own space.
 StepLaw law_against(const Neighbor& neighbor, const StepLaw& law);
 
+/// The vector to A's center from the nearest point of B's body, m, where neither may be in the other
+/// one's downwash.
+Vec3 away_from(Vec3 a, double downwash_a, Vec3 b, double downwash_b);
+
 /// Bodies at consecutive places [first, last).
 struct Run {
   std::size_t first = 0, last = 0;

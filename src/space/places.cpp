@@ -9,17 +9,11 @@
 #include <tuple>
 
 #include "guidance/crowd.h"
+#include "space/bodies.h"
 #include "space/boxes.h"
 
 namespace avo::space {
 namespace {
-
-// The vector to A from the nearest point of B's body, where neither may be in the other's downwash.
-Vec3 away_from(Vec3 a, double downwash_a, Vec3 b, double downwash_b) {
-  Vec3 away = a - b;
-  away.z -= std::clamp(away.z, -downwash_b, downwash_a);
-  return away;
-}
 
 double place_reach(const SpaceResting& other) {
   return (1.0 + kPlaceGap) * other.reach;

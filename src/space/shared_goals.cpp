@@ -2,47 +2,63 @@
 #include "space/shared_goals.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <tuple>
+
+#include "space/cells.h"
 
 namespace avo::space {
 namespace {
 
 constexpr double kTouching = 1e-9;  // of contact: goals that touch leave room for both
 
-// Returns whether neither of two robots can be at its goal while the other one is, or only one.
-bool overlap(const Robot& a, Vec3 goal_a, const Robot& b, Vec3 goal_b) {
-  Vec3 away = goal_a - goal_b;
-  away.z -= std::clamp(away.z, -b.downwash, a.downwash);
-  return norm(away) < (1.0 - kTouching) * (a.radius + b.radius);
+// Robots at their goals: returns whether only one of the two can be there.
+bool overlap(const Robot& a, const Robot& b) {
+  return norm(away_from(a.position, a.downwash, b.position, b.downwash)) <
+         (1.0 - kTouching) * (a.radius + b.radius);
+}
+
+// m: goals of robots that share room are no farther from each other.
+double farthest_shared(std::span<const Robot> robots) {
+  double radius = 0.0, downwash = 0.0;
+  for (const Robot& robot : robots) {
+    radius = std::max(radius, robot.radius);
+    downwash = std::max(downwash, robot.downwash);
+  }
+  return 2.0 * radius + downwash;
+}
+
+// What robot a shares with some robot at these places, where all are at their goals.
+SpaceShares shared_by(std::size_t a, std::span<const Robot> there, const SpaceCells& cells,
+                      std::span<const Run> runs) {
+  SpaceShares shares = SpaceShares::nothing;
+  for (const Run& run : runs) {
+    for (std::size_t place = run.first; place < run.last; ++place) {
+      const std::size_t b = cells.order()[place];
+      if (b == a || !overlap(there[a], there[b])) continue;
+      if (there[a].position == there[b].position) return SpaceShares::goal;
+      shares = SpaceShares::room;
+    }
+  }
+  return shares;
 }
 
 }  // namespace
 
 std::vector<SpaceShares> shared_goals(std::span<const Robot> robots, std::span<const Vec3> goals) {
-  std::vector<std::size_t> order(robots.size());
-  double largest = 0.0;  // m
-  for (std::size_t k = 0; k < order.size(); ++k)
-    order[k] = k, largest = std::max(largest, robots[k].radius);
-  const auto place = [&](std::size_t k) { return std::tuple(goals[k].x, goals[k].y, goals[k].z); };
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+  if (robots.empty()) return {};
+  std::vector<Robot> there(robots.begin(), robots.end());
+  for (std::size_t k = 0; k < there.size(); ++k) there[k].position = goals[k];
+  SpaceCells cells(farthest_shared(robots));
+  cells.sort(there);
+  SpaceCells::Runs runs;
   std::vector<SpaceShares> shares;
-  const auto note = [&](std::size_t k, SpaceShares found) {
-    shares.resize(robots.size());
-    shares[k] = std::max(shares[k], found);
-  };
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::size_t a = order[i];
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const std::size_t b = order[j];
-      if (goals[b].x - goals[a].x >= robots[a].radius + largest) break;
-      const SpaceShares found = goals[a] == goals[b] ? SpaceShares::goal : SpaceShares::room;
-      if (overlap(robots[a], goals[a], robots[b], goals[b])) note(a, found), note(b, found);
-    }
+  bool some = false;
+  for (std::size_t a = 0; a < there.size(); ++a) {
+    const std::size_t count = cells.around(goals[a], runs);
+    shares.push_back(shared_by(a, there, cells, std::span(runs).first(count)));
+    some = some || shares.back() != SpaceShares::nothing;
   }
-  return shares;
+  return some ? shares : std::vector<SpaceShares>();
 }
 
 }  // namespace avo::space
