@@ -202,13 +202,13 @@ void solve_convex(const Horizon& horizon, HalfPlaneWorkspace& work, PlaneColumns
 }
 
 /// Solves a pack of a queue of `count`; pairs that are not settled stay in it.
-template <Look look, typename Real>
+template <Crossed crossed, typename Real>
 AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horizon& horizon,
                                HalfPlaneQueue& queue, PlaneColumns& planes) {
   const double* index = &queue.index[first];
   const std::size_t lanes = std::min(Real::kLanes, count - first);
   const LocalFrame<Real> frame = queued<Real>(queue, first);
-  const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), horizon.table());
+  const HornPlane<Real> result = horn<crossed>(frame.local, horizon.end(), horizon.table());
   put(frame, result.plane, index, lanes, planes);
   const std::uint32_t settled = bits(result.settled), all = 0xffffffffU >> (32U - lanes);
   for (std::uint32_t left = settled & bits(result.free) & all; left != 0; left &= left - 1) {
@@ -224,16 +224,16 @@ AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horiz
 }
 
 /// Uses wide packs as long as they are more than half full. Returns the number of pairs.
-template <Look look, typename Real, typename Wide>
+template <Crossed crossed, typename Real, typename Wide>
 std::size_t solve_horns(const Horizon& horizon, HalfPlaneQueue& queue, PlaneColumns& planes) {
   fill_up<Wide>(queue);
   const std::size_t count = queue.count;
   queue.count = 0;
   std::size_t i = 0;
   for (; i + Real::kLanes < count; i += Wide::kLanes) {
-    solve_horns_at<look, Wide>(i, count, horizon, queue, planes);
+    solve_horns_at<crossed, Wide>(i, count, horizon, queue, planes);
   }
-  if (i < count) solve_horns_at<look, Real>(i, count, horizon, queue, planes);
+  if (i < count) solve_horns_at<crossed, Real>(i, count, horizon, queue, planes);
   return count;
 }
 
@@ -244,8 +244,8 @@ void solve(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace&
   static_assert(Wide::kLanes <= kSparePairs);
   classify<Real>(pairs, horizon, work, planes);
   solve_convex<Wide>(horizon, work, planes);
-  work.cases.horn = solve_horns<Look::once, Real, Wide>(horizon, work.horn, planes);
-  work.cases.follow = solve_horns<Look::often, Real, Wide>(horizon, work.horn, planes);
+  work.cases.horn = solve_horns<Crossed::once, Real, Wide>(horizon, work.horn, planes);
+  work.cases.follow = solve_horns<Crossed::often, Real, Wide>(horizon, work.horn, planes);
   std::copy_n(work.horn.index.begin(), work.horn.count, &work.rest[work.rest_count]);
   work.rest_count += work.horn.count;
   work.cases.rest = work.rest_count;
