@@ -47,10 +47,11 @@ void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, d
 void include_start(const Scenario& scenario, const RobotSetup& robot, const MotionState& state,
                    const CertificateLaw& law, WallNeeds& needs);
 /// The wall to which the robot is too near by most in that state, if it is too near to any.
-/// WallStart::obstacle is the wall's index. A robot in motion may move differently from a robot
-/// that starts: the disc of a drive moves off its heading.
-std::optional<WallStart> worst_wall(const Scenario& scenario, int robot, const MotionState& state,
-                                    std::span<const Wall> walls, const CertificateLaw& law);
+/// WallStart::obstacle is the position of the wall in `walls`. A robot in motion may move
+/// differently from a robot that starts: the disc of a drive moves off its heading.
+std::optional<WallStart> worst_wall(const Scenario& scenario, RobotId robot,
+                                    const MotionState& state, std::span<const Wall> walls,
+                                    const CertificateLaw& law);
 /// Returns whether the obstacle's Fill lets any robot be there.
 bool leaves_room(Vec2 p, const StaticObstacle& obstacle);
 /// The same for a robot that may not heed the obstacle.

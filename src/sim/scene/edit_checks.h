@@ -16,6 +16,7 @@ struct World;
 std::string name_of(RobotId robot);
 std::string name_of(ObstacleId obstacle);
 std::string name_of(MovingObstacleId obstacle);
+std::string name_of(BodyId body);
 
 /// The world's settings for a scene of these robots.
 Scenario settings_for(const World& world, std::span<const RobotSetup> robots);

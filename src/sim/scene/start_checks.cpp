@@ -145,7 +145,7 @@ std::optional<BrokenStart> find_in_motion(const World& world, const StartCompany
     const double gap = distance(disc_center(own), {fleet.position[slot], clock.to.position}) - bow -
                        norm(own.velocity) * left;
     if (gap < (1.0 - kStartTolerance) * contact)
-      return BrokenStart{0, static_cast<int>(k) + 1, norm(fleet.position[slot] - disc_center(own)),
+      return BrokenStart{RobotId{0}, RobotId{k + 1}, norm(fleet.position[slot] - disc_center(own)),
                          contact - gap};
   }
   return {};
@@ -162,16 +162,16 @@ std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law
   WallNeeds needs;
   include_start(company.scene, own, state, law, needs);
   if (floor.needs && floor.needs->cover(needs) &&
-      !worst_wall(company.scene, 0, state, floor.grid.near(state.position), law))
+      !worst_wall(company.scene, RobotId{0}, state, floor.grid.near(state.position), law))
     return {};
   const std::span<const Wall> walls =
       std::span(floor.walls).first(floor.walls.size() - statics.parked.size());
-  auto worst = worst_wall(company.scene, 0, state, walls, law);
+  auto worst = worst_wall(company.scene, RobotId{0}, state, walls, law);
   if (!worst) return worst;
-  auto before = static_cast<std::size_t>(worst->obstacle);
+  std::uint64_t before = worst->obstacle.value;
   for (std::size_t k = 0; k < statics.obstacles.size(); ++k) {
     if (!heeds(own.layers, statics.obstacles[k])) continue;
-    const std::size_t walls_of_it = walls_of(std::span(&statics.obstacles[k], 1)).size();
+    const std::uint64_t walls_of_it = walls_of(std::span(&statics.obstacles[k], 1)).size();
     if (before < walls_of_it) {
       company.scene.obstacles = {statics.obstacles[k]};
       obstacle = statics.id[k];
@@ -179,17 +179,19 @@ std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law
     }
     before -= walls_of_it;
   }
-  worst->obstacle = 0;
+  worst->obstacle = {0};
   return worst;
 }
 
-Wording wording_of(const StartCompany& company, const ObstacleId& obstacle) {
+// The company's scene has positions for ids.
+Wording wording_of(const World& world, const StartCompany& company, const ObstacleId& obstacle) {
   return {{},
-          [&company](int source) {
-            return source >= 0 ? name_of(company.id[static_cast<std::size_t>(source)])
-                               : "moving obstacle " + std::to_string(-1 - source);
+          [&](BodyId body) {
+            const auto* robot = std::get_if<RobotId>(&body);
+            if (robot != nullptr) return name_of(company.id[robot->value]);
+            return name_of(world.movers.id[std::get<MovingObstacleId>(body).value]);
           },
-          [&obstacle](int) { return name_of(obstacle); }};
+          [&obstacle](ObstacleId) { return name_of(obstacle); }};
 }
 
 }  // namespace
@@ -228,8 +230,12 @@ void check_mover_start(const World& world, const MovingObstacle& obstacle, const
         fleet.has_clocks ? longest_first_step(law) * norm(fleet.velocity[slot]) : 0.0;
     find_starts_of_first(scene, law, late, broken);
     if (broken.starts.empty()) continue;
-    const Wording wording{
-        {}, [&](int source) { return source >= 0 ? name_of(fleet.id[slot]) : name; }, {}};
+    const Wording wording{{},
+                          [&](BodyId body) {
+                            return std::holds_alternative<RobotId>(body) ? name_of(fleet.id[slot])
+                                                                         : name;
+                          },
+                          {}};
     refuse_start(complaint(broken.starts.front(), scene, wording));
   }
 }
@@ -243,7 +249,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   StartCompany company(world, setup, robot, std::move(others));
   const CertificateLaw law = certificate_law(world.certified_planner());
   ObstacleId obstacle;
-  const Wording wording = wording_of(company, obstacle);
+  const Wording wording = wording_of(world, company, obstacle);
   BrokenAssumptions broken;
   const double late =  // a robot within a step begins to brake so much later
       world.fleet.has_clocks ? longest_first_step(law) * norm(setup.velocity) : 0.0;
@@ -252,7 +258,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
     broken.starts.push_back(*start);
   if (!broken.starts.empty()) {
     BrokenStart& worst = broken.starts.front();
-    if (worst.other == 0) std::swap(worst.robot, worst.other);
+    if (worst.other == BodyId(RobotId{0})) worst.other = std::exchange(worst.robot, RobotId{0});
     refuse_start(complaint(worst, company.scene, wording));
   }
   if (!keeps_any(world, setup)) return;
@@ -262,10 +268,10 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
     if (leaves_room(setup, disc_center(setup), world.statics.obstacles[k])) continue;
     company.scene.obstacles = {world.statics.obstacles[k]};
     obstacle = world.statics.id[k];
-    refuse_start(complaint(MisplacedStart{0, 0}, company.scene, wording));
+    refuse_start(complaint(MisplacedStart{}, company.scene, wording));
   }
   if (exceeds(norm(setup.velocity), setup.max_speed))
-    refuse_start(complaint(FastStart{0, norm(setup.velocity)}, company.scene, wording));
+    refuse_start(complaint(FastStart{RobotId{0}, norm(setup.velocity)}, company.scene, wording));
 }
 
 }  // namespace avo::inline sim
