@@ -111,20 +111,31 @@ std::vector<std::optional<Vec2>> Check::State::places_at_rest() const {
   return places;
 }
 
+// By robot; see judge::rest_at_crowds().
+std::vector<std::uint8_t> Check::State::rest_at_crowds() const {
+  const std::vector<std::optional<Vec2>> at_rest = places_at_rest();
+  std::vector<Vec2> goals;
+  std::vector<std::uint8_t> at_goal;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    const Vec2 place = seen[k].row.position;
+    // of its disc, with its present heading
+    goals.push_back(robots[k].goal.value_or(place) + (at_rest[k].value_or(place) - place));
+    at_goal.push_back(seen[k].at_goal ? 1 : 0);
+  }
+  return judge::rest_at_crowds(robots, goals, at_rest, at_goal);
+}
+
 CheckReport Check::report() const {
   const State& state = *state_;
   CheckReport report = state.report;
   double last_arrival = state.last_arrival;
-  const std::vector<std::optional<Vec2>> at_rest = state.places_at_rest();
+  const std::vector<std::uint8_t> at_crowd = state.rest_at_crowds();
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const judge::SeenRobot& other = state.seen[i];
     if (other.at >= 0) ++report.robots;
     if (!state.robots[i].goal) continue;
     ++report.with_goal;
-    // of its disc, with its present heading
-    const Vec2 goal =
-        *state.robots[i].goal + (at_rest[i].value_or(other.row.position) - other.row.position);
-    const bool rests = !other.at_goal && judge::rests_at_crowd(i, goal, state.robots, at_rest);
+    const bool rests = at_crowd[i] != 0;
     if (other.arrived || rests) ++report.arrived;
     if (other.at_goal || rests) ++report.at_goal_at_end;
     if (!other.arrived && !rests) report.not_arrived.push_back(static_cast<std::int64_t>(i));

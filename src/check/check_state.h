@@ -57,6 +57,7 @@ struct Check::State {
   [[nodiscard]] bool passes(const judge::MovingDisc& disc, Vec2 goal, double within) const;
   void judge_arrival(double time, const CheckedState& row, const judge::MovingDisc& disc);
   [[nodiscard]] std::vector<std::optional<Vec2>> places_at_rest() const;
+  [[nodiscard]] std::vector<std::uint8_t> rest_at_crowds() const;
 };
 
 }  // namespace avo

@@ -2,6 +2,8 @@
 #include "check/crowd.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace avo::judge {
@@ -19,7 +21,7 @@ double apart(const space::CheckedRobot& a, Vec3 at_a, const space::CheckedRobot&
 
 template <typename Vec, typename Robot>
 bool rests(std::size_t robot, Vec goal, std::span<const Robot> robots,
-           std::span<const std::optional<Vec>> places) {
+           std::span<const std::optional<Vec>> places, std::span<const std::uint8_t> has_come) {
   if (!places[robot] || !robots[robot].goal) return false;
   const double radius = robots[robot].radius;
   const auto from_goal = [&](std::size_t k) {
@@ -27,9 +29,9 @@ bool rests(std::size_t robot, Vec goal, std::span<const Robot> robots,
   };
   const auto stands_on_goal = [&](std::size_t k) {
     const double contact = radius + robots[k].radius;
-    return k != robot && places[k] && robots[k].goal &&
-           apart(robots[robot], *robots[robot].goal, robots[k], *robots[k].goal) < contact &&
-           from_goal(k) < contact;
+    if (k == robot || !places[k] || !robots[k].goal || !(from_goal(k) < contact)) return false;
+    return has_come[k] != 0 ||
+           apart(robots[robot], *robots[robot].goal, robots[k], *robots[k].goal) < contact;
   };
   // robots that are led to, the nearest to the goal last
   std::vector<std::size_t> left, led{robot};
@@ -55,16 +57,38 @@ bool rests(std::size_t robot, Vec goal, std::span<const Robot> robots,
   return false;
 }
 
-}  // namespace
-
-bool rests_at_crowd(std::size_t robot, Vec2 goal, std::span<const CheckedRobot> robots,
-                    std::span<const std::optional<Vec2>> places) {
-  return rests<Vec2>(robot, goal, robots, places);
+// A robot that rests around its goal may stand on the goal of a third one.
+template <typename Vec, typename Robot>
+std::vector<std::uint8_t> rest_all(std::span<const Robot> robots, std::span<const Vec> goals,
+                                   std::span<const std::optional<Vec>> places,
+                                   std::span<const std::uint8_t> at_goal) {
+  std::vector<std::uint8_t> has_come(at_goal.begin(), at_goal.end()), found(robots.size());
+  for (bool looks = true; looks;) {
+    looks = false;
+    for (std::size_t k = 0; k < robots.size(); ++k) {
+      if (has_come[k] != 0 || !rests<Vec>(k, goals[k], robots, places, has_come)) continue;
+      has_come[k] = found[k] = 1;
+      looks = true;
+    }
+  }
+  return found;
 }
 
-bool rests_at_crowd(std::size_t robot, Vec3 goal, std::span<const space::CheckedRobot> robots,
-                    std::span<const std::optional<Vec3>> places) {
-  return rests<Vec3>(robot, goal, robots, places);
+}  // namespace
+
+std::vector<std::uint8_t> rest_at_crowds(std::span<const CheckedRobot> robots,
+                                         std::span<const Vec2> goals,
+                                         std::span<const std::optional<Vec2>> places,
+                                         std::span<const std::uint8_t> at_goal) {
+  return rest_all(robots, goals, places, at_goal);
+}
+
+std::vector<std::uint8_t> rest_at_crowds(std::span<const space::CheckedRobot> robots,
+                                         std::span<const std::optional<Vec3>> places,
+                                         std::span<const std::uint8_t> at_goal) {
+  std::vector<Vec3> goals;
+  for (const space::CheckedRobot& robot : robots) goals.push_back(robot.goal.value_or(Vec3{}));
+  return rest_all<Vec3>(robots, goals, places, at_goal);
 }
 
 std::vector<std::optional<Vec3>> places_at_rest(std::size_t robots,

@@ -277,12 +277,17 @@ CheckReport Check::report() const {
   state_->hits.write(report);
   report.movers_at_rest = state_->options.movers_at_rest;
   const auto at_rest = judge::places_at_rest(state_->robots.size(), state_->before);
+  std::vector<std::uint8_t> at_goal(state_->robots.size());
   for (std::size_t k = 0; k < state_->robots.size(); ++k) {
     const CheckedRobot& robot = state_->robots[k];
     if (!robot.goal || state_->seen[k] == 0) continue;
-    const bool is_there = state_->is_at_goal(state_->last[k].position, *robot.goal);
-    const bool rests = !is_there && judge::rests_at_crowd(k, *robot.goal, state_->robots, at_rest);
-    if (is_there || rests) ++report.at_goal_at_end;
+    at_goal[k] = state_->is_at_goal(state_->last[k].position, *robot.goal) ? 1 : 0;
+  }
+  const auto at_crowd = judge::rest_at_crowds(state_->robots, at_rest, at_goal);
+  for (std::size_t k = 0; k < state_->robots.size(); ++k) {
+    if (!state_->robots[k].goal || state_->seen[k] == 0) continue;
+    const bool rests = at_crowd[k] != 0;
+    if (at_goal[k] != 0 || rests) ++report.at_goal_at_end;
     if (state_->arrived[k] != 0) continue;
     if (!rests) report.not_arrived.push_back(static_cast<std::int64_t>(k));
     if (rests) ++report.arrived, report.last_arrival = state_->time;

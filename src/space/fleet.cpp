@@ -151,7 +151,7 @@ SpaceAtSharedGoal SpaceFleet::near_goal(std::size_t k, std::span<const Neighbor>
       .is_content = has_downwash || !worker.movers.empty(),
       .has_stood = own.has_stood != 0,
       .is_at_rest = robot.velocity == Vec3{},
-      .is_near = shares[k] == SpaceShares::goal &&
+      .is_near = shares.of(k) == SpaceShares::goal &&
                  norm(goal - robot.position) <= scenario.arrival_distance};
   look_at_goal(seeker, company, worker.occupied);
   return at_shared_goal(seeker, worker.boxes, worker.occupied);
@@ -207,8 +207,9 @@ void SpaceFleet::move() {
 }
 
 void SpaceFleet::begin_step() {
-  if (has_new_goals) shares = shared_goals(robots, goals());
+  if (has_new_goals) shares.set(robots, goals());
   has_new_goals = false;
+  shares.note(robots, has_stood);
   sort();
   senses.note(robots, movers.now, steps);
   routes.begin_step(robots);

@@ -73,7 +73,7 @@ struct AVO_LOCAL SpaceFleet {
   std::vector<Plan> plans;
   std::vector<Trip> trips;
   SpaceRoutes routes;
-  std::vector<SpaceShares> shares;      // see shared_goals(), as of the last step
+  SharedGoals shares;                   // as of the last step
   std::vector<std::uint8_t> has_stood;  // see SpaceSeeker::has_stood
   bool has_new_goals = true;
   bool has_downwash = false;  // some robot has
@@ -115,7 +115,7 @@ struct AVO_LOCAL SpaceFleet {
   SpaceAtSharedGoal near_goal(std::size_t k, std::span<const Neighbor> company,
                               const Travelling& own, SpaceWorker& worker) const;
   [[nodiscard]] bool shares_goal(std::size_t k) const {
-    return !shares.empty() && shares[k] != SpaceShares::nothing;
+    return shares.of(k) != SpaceShares::nothing;
   }
   /// Decides for the robot at that place in the order of the cells.
   void decide(std::size_t at, SpaceWorker& worker);

@@ -2,9 +2,6 @@
 #include "space/shared_goals.h"
 
 #include <algorithm>
-#include <cstddef>
-
-#include "space/cells.h"
 
 namespace avo::space {
 namespace {
@@ -27,38 +24,54 @@ double farthest_shared(std::span<const Robot> robots) {
   return 2.0 * radius + downwash;
 }
 
-// What robot a shares with some robot at these places, where all are at their goals.
-SpaceShares shared_by(std::size_t a, std::span<const Robot> there, const SpaceCells& cells,
-                      std::span<const Run> runs) {
-  SpaceShares shares = SpaceShares::nothing;
-  for (const Run& run : runs) {
+// Calls visit(b) for every robot b that cannot be at its place there together with the robot.
+template <typename Visit>
+void for_overlapping(const Robot& robot, std::span<const Robot> there, const SpaceCells& cells,
+                     const Visit& visit) {
+  SpaceCells::Runs runs;
+  const std::size_t count = cells.around(robot.position, runs);
+  for (const Run& run : std::span(runs).first(count)) {
     for (std::size_t place = run.first; place < run.last; ++place) {
       const std::size_t b = cells.order()[place];
-      if (b == a || !overlap(there[a], there[b])) continue;
-      if (there[a].position == there[b].position) return SpaceShares::goal;
-      shares = SpaceShares::room;
+      if (overlap(robot, there[b])) visit(b);
     }
   }
-  return shares;
 }
 
 }  // namespace
 
-std::vector<SpaceShares> shared_goals(std::span<const Robot> robots, std::span<const Vec3> goals) {
-  if (robots.empty()) return {};
-  std::vector<Robot> there(robots.begin(), robots.end());
-  for (std::size_t k = 0; k < there.size(); ++k) there[k].position = goals[k];
-  SpaceCells cells(farthest_shared(robots));
-  cells.sort(there);
-  SpaceCells::Runs runs;
-  std::vector<SpaceShares> shares;
-  bool some = false;
-  for (std::size_t a = 0; a < there.size(); ++a) {
-    const std::size_t count = cells.around(goals[a], runs);
-    shares.push_back(shared_by(a, there, cells, std::span(runs).first(count)));
-    some = some || shares.back() != SpaceShares::nothing;
+void SharedGoals::set(std::span<const Robot> robots, std::span<const Vec3> goals) {
+  shares_.assign(robots.size(), SpaceShares::nothing);
+  noted_.assign(robots.size(), 0);
+  there_.assign(robots.begin(), robots.end());
+  for (std::size_t k = 0; k < there_.size(); ++k) there_[k].position = goals[k];
+  if (there_.empty()) return;
+  cells_ = SpaceCells(farthest_shared(robots));
+  cells_.sort(there_);
+  for (std::size_t a = 0; a < there_.size(); ++a) {
+    for_overlapping(there_[a], there_, cells_, [&](std::size_t b) {
+      if (b == a) return;
+      const bool is_same = there_[a].position == there_[b].position;
+      shares_[a] = std::max(shares_[a], is_same ? SpaceShares::goal : SpaceShares::room);
+    });
   }
-  return some ? shares : std::vector<SpaceShares>();
+  const auto is_nothing = [](SpaceShares shares) { return shares == SpaceShares::nothing; };
+  if (std::all_of(shares_.begin(), shares_.end(), is_nothing)) shares_.clear();
+}
+
+void SharedGoals::note(std::span<const Robot> robots, std::span<const std::uint8_t> has_stood) {
+  if (shares_.empty()) return;
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    const bool stands = has_stood[k] != 0 && robots[k].velocity == Vec3{};
+    if (stands && noted_[k] == 0) note_taken_by(k, robots[k]);
+    noted_[k] = stands ? 1 : 0;
+  }
+}
+
+void SharedGoals::note_taken_by(std::size_t k, const Robot& robot) {
+  for_overlapping(robot, there_, cells_, [&](std::size_t b) {
+    if (b != k) shares_[b] = std::max(shares_[b], SpaceShares::room);
+  });
 }
 
 }  // namespace avo::space

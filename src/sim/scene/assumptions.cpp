@@ -19,7 +19,7 @@ void find_fast_starts(const Scenario& scenario, const CertificateLaw& law,
     if (exceeds(speed, scenario.robots[i].max_speed)) fast.push_back({RobotId{i}, speed});
   }
   const auto excess = [&](const FastStart& start) {
-    return start.speed - scenario.robots[start.robot.value].max_speed;
+    return start.speed - listed_as(start.robot, scenario.robots).max_speed;
   };
   result.fast_count = static_cast<std::int64_t>(fast.size());
   result.fast.resize(std::min(fast.size(), BrokenAssumptions::kNamed));

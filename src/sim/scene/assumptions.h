@@ -3,6 +3,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
@@ -10,6 +11,12 @@
 #include "robots/motion.h"
 
 namespace avo::inline sim {
+
+/// What a list of a scene has for that id. The lists of scenes are numbered by ids.
+template <typename Listed, typename Id>
+const Listed& listed_as(Id id, const std::vector<Listed>& list) {
+  return list[static_cast<std::size_t>(id.value)];
+}
 
 /// The constants that the scene's robots with a certificate share.
 CertificateLaw certificate_law(const Scenario& scenario);

@@ -13,6 +13,7 @@
 
 #include "avo/error.h"
 #include "robots/footprint.h"
+#include "sim/scene/assumptions.h"
 #include "sim/scene/edit_checks.h"
 #include "sim/scene/scene_checks.h"
 
@@ -20,7 +21,7 @@ namespace avo::inline sim {
 namespace {
 
 const RobotSetup& setup_of(const Scenario& scenario, RobotId robot) {
-  return scenario.robots[robot.value];
+  return listed_as(robot, scenario.robots);
 }
 const RobotSetup* setup_of(const Scenario& scenario, BodyId body) {
   const auto* robot = std::get_if<RobotId>(&body);
@@ -103,7 +104,7 @@ bool is_disc(const Scenario& scenario, BodyId body) {
 
 double radius_of(const Scenario& scenario, BodyId body) {
   if (const RobotSetup* robot = setup_of(scenario, body)) return disc_radius(*robot);
-  return scenario.moving_obstacles[std::get<MovingObstacleId>(body).value].radius;
+  return listed_as(std::get<MovingObstacleId>(body), scenario.moving_obstacles).radius;
 }
 
 }  // namespace
@@ -130,7 +131,7 @@ std::string complaint(const BrokenStart& start, const Scenario& scenario, const 
 std::string complaint(const WallStart& start, const Scenario& scenario, const Wording& wording) {
   const RobotSetup& setup = setup_of(scenario, start.robot);
   const double own = route_radius(setup.model, disc_radius(setup));
-  const double wall = scenario.obstacles[start.obstacle.value].radius;
+  const double wall = listed_as(start.obstacle, scenario.obstacles).radius;
   const double margin = start.required - own - wall;
   const std::string name = wording.name_of(start.robot);
   const std::string place = wording.name_of_static(start.obstacle);
@@ -150,7 +151,7 @@ std::string complaint(const WallStart& start, const Scenario& scenario, const Wo
 
 std::string complaint(const MisplacedStart& start, const Scenario& scenario,
                       const Wording& wording) {
-  const bool solid = scenario.obstacles[start.obstacle.value].fill == Fill::solid;
+  const bool solid = listed_as(start.obstacle, scenario.obstacles).fill == Fill::solid;
   return "position of " + wording.name_of(start.robot) + ": found " +
          text(setup_of(scenario, start.robot).position) + ", must be " +
          (solid ? "outside of the solid " : "inside of the bounds ") +

@@ -189,13 +189,13 @@ void check_certificate(const World& world, const StaticObstacle& obstacle, const
   BrokenAssumptions broken;
   find_wall_starts(scene, states, law, broken);
   const auto robot_at = [&](RobotId in_scene) {
-    const std::uint32_t slot = fleet.slot_of[in_scene.value];
+    const std::uint32_t slot = listed_as(in_scene, fleet.slot_of);
     const Vec2 p = fleet.position[slot];
     return name_of(fleet.id[slot]) + " at [" + rounded(p.x, 9) + ", " + rounded(p.y, 9) + "]";
   };
   if (broken.beside_count > 0) {
     const WallStart& worst = broken.beside.front();
-    const double radius = disc_radius(scene.robots[worst.robot.value]);
+    const double radius = disc_radius(listed_as(worst.robot, scene.robots));
     refuse(name,
            robot_at(worst.robot) + ", which is " + rounded(worst.distance, 9) + " m from it, " +
                rounded(worst.kept, 9) + " m once it has braked",

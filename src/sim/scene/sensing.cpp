@@ -109,7 +109,7 @@ void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
                   const std::vector<UnseenPart>& parts, const Take& take) {
   Kinds kinds;
   const auto robot = [&](const UnseenPart& part) -> const RobotSetup& {
-    return scenario.robots[part.robot.value];
+    return listed_as(part.robot, scenario.robots);
   };
   for (const UnseenPart& part : parts)
     kinds[{robot(part).layers.bits, robot(part).avoids.bits, robot(part).behavior,
@@ -170,7 +170,7 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
   }
   if (scenario.moving_obstacles.empty()) return worst;
   std::erase_if(parts, [&](const UnseenPart& part) {
-    return !keeps(scenario, scenario.robots[part.robot.value], law);
+    return !keeps(scenario, listed_as(part.robot, scenario.robots), law);
   });
   const std::vector<UnseenPart> front = worst_for_movers(parts);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {

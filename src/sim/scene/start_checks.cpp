@@ -188,8 +188,8 @@ Wording wording_of(const World& world, const StartCompany& company, const Obstac
   return {{},
           [&](BodyId body) {
             const auto* robot = std::get_if<RobotId>(&body);
-            if (robot != nullptr) return name_of(company.id[robot->value]);
-            return name_of(world.movers.id[std::get<MovingObstacleId>(body).value]);
+            if (robot != nullptr) return name_of(listed_as(*robot, company.id));
+            return name_of(listed_as(std::get<MovingObstacleId>(body), world.movers.id));
           },
           [&obstacle](ObstacleId) { return name_of(obstacle); }};
 }

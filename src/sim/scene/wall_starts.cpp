@@ -94,7 +94,7 @@ struct WallStartDisc {
 std::optional<WallStart> worst_wall(const Scenario& scenario, RobotId number,
                                     const MotionState& state, const WallStartDisc& disc,
                                     std::span<const Wall> walls, const CertificateLaw& law) {
-  const RobotSetup& robot = scenario.robots[number.value];
+  const RobotSetup& robot = listed_as(number, scenario.robots);
   const Vec2 center = disc.center;
   const double radius = disc.radius, lever = disc.lever;
   const WallRounding rounding = wall_rounding(radius + lengths_of_rounding(lever), robot.max_speed,
@@ -132,7 +132,7 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, RobotId number,
 std::optional<WallStart> worst_wall(const Scenario& scenario, RobotId number,
                                     const MotionState& state, std::span<const Wall> walls,
                                     const CertificateLaw& law) {
-  const RobotSetup& robot = scenario.robots[number.value];
+  const RobotSetup& robot = listed_as(number, scenario.robots);
   const Footprint footprint = footprint_of(robot.model);
   if (!footprint)
     return worst_wall(scenario, number, state, {state.position, disc_radius(robot), 0.0}, walls,
@@ -196,7 +196,7 @@ void find_wall_starts(const Scenario& scenario, std::span<const MotionState> sta
     const ListedWalls& listed = walls.of(robot);
     if (worst_wall(scenario, number, state, listed.grid.near(state.position), law)) {
       beside.push_back(*worst_wall(scenario, number, state, listed.walls, law));
-      beside.back().obstacle = listed.obstacle[beside.back().obstacle.value];
+      beside.back().obstacle = listed_as(beside.back().obstacle, listed.obstacle);
     }
     for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
       if (leaves_room(robot, states[i].position, scenario.obstacles[k])) continue;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "avo/space/check.h"
@@ -49,6 +50,21 @@ bool all_rest(const Simulation& simulation) {
                      [](const Robot& robot) { return robot.velocity == Vec3{}; });
 }
 
+// How many count as arrived where they are now, for a judge that knows places alone.
+std::int64_t judged_arrived(const Simulation& simulation) {
+  std::vector<CheckedRobot> checked;
+  std::vector<CheckedState> rows;
+  for (std::size_t k = 0; k < simulation.size(); ++k) {
+    const Robot& robot = simulation.robots()[k];
+    checked.push_back({.downwash = robot.downwash, .goal = simulation.goal({k})});
+    rows.push_back({static_cast<std::int64_t>(k), robot.position, robot.velocity});
+  }
+  Check check(std::move(checked));
+  check.add(0.0, rows);
+  check.add(0.1, rows);
+  return check.report().arrived;
+}
+
 // Runs until all rest at their goals, and then on: nobody moves again.
 void expect_rest(const Scenario& scene) {
   Simulation simulation(scene);
@@ -62,6 +78,7 @@ void expect_rest(const Scenario& scene) {
   }
   EXPECT_TRUE(all_rest(simulation));
   EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_EQ(judged_arrived(simulation), static_cast<std::int64_t>(simulation.size()));
   std::vector<Vec3> places;
   for (const Robot& robot : simulation.robots()) places.push_back(robot.position);
   for (int k = 0; k < 50; ++k) simulation.step();
@@ -130,18 +147,57 @@ TEST(SharedGoalsInSpace, let_a_robot_with_another_goal_out) {
   EXPECT_TRUE(all_rest(simulation));
 }
 
+// What robots with these goals share, where nobody stands anywhere yet.
+std::vector<SpaceShares> shared(const std::vector<Robot>& robots, const std::vector<Vec3>& goals) {
+  SharedGoals found;
+  found.set(robots, goals);
+  std::vector<SpaceShares> shares;
+  for (std::size_t k = 0; k < robots.size(); ++k) shares.push_back(found.of(k));
+  return shares;
+}
+
 TEST(SharedGoalsInSpace, are_goals_that_both_robots_cannot_have) {
+  constexpr auto nothing = SpaceShares::nothing, room = SpaceShares::room, goal = SpaceShares::goal;
   const std::vector<Robot> robots(4);
   const std::vector<Vec3> apart{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  EXPECT_TRUE(shared_goals(robots, apart).empty());
+  EXPECT_EQ(shared(robots, apart), std::vector(4, nothing));
   const std::vector<Vec3> goals{{0, 0, 0}, {5, 0, 0}, {0.5, 0.5, 0.5}, {5, 0, 0}};
-  EXPECT_EQ(shared_goals(robots, goals), (std::vector{SpaceShares::room, SpaceShares::goal,
-                                                      SpaceShares::room, SpaceShares::goal}));
+  EXPECT_EQ(shared(robots, goals), (std::vector{room, goal, room, goal}));
   std::vector<Robot> blowing(4);
   blowing[3].downwash = 1.5;
   const std::vector<Vec3> above{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 2}};
-  EXPECT_EQ(shared_goals(blowing, above), (std::vector{SpaceShares::room, SpaceShares::nothing,
-                                                       SpaceShares::nothing, SpaceShares::room}));
+  EXPECT_EQ(shared(blowing, above), (std::vector{room, nothing, nothing, room}));
+}
+
+// Robot 2 has a goal of its own, until robot 1 rests on it, for which there was no room.
+TEST(SharedGoalsInSpace, are_those_on_which_robots_rest_that_had_no_room) {
+  std::vector<Robot> robots(3);
+  const std::vector<Vec3> goals{{0, 0, 0}, {0, 0, 0}, {1.5, 0, 0}};
+  robots[1].position = {1.02, 0, 0}, robots[2].position = {5, 0, 0};
+  std::vector<std::uint8_t> has_stood{1, 0, 0};
+  SharedGoals shares;
+  shares.set(robots, goals);
+  shares.note(robots, has_stood);
+  EXPECT_EQ(shares.of(2), SpaceShares::nothing);
+  has_stood[1] = 1, robots[1].velocity = {0.1, 0, 0};
+  shares.note(robots, has_stood);
+  EXPECT_EQ(shares.of(2), SpaceShares::nothing) << "it moves";
+  robots[1].velocity = {};
+  shares.note(robots, has_stood);
+  EXPECT_EQ(shares.of(2), SpaceShares::room);
+  shares.set(robots, goals);
+  EXPECT_EQ(shares.of(2), SpaceShares::nothing) << "goals are new";
+}
+
+// Some robots find others on their goals whose goals are elsewhere. All count as arrived.
+TEST(SharedGoalsInSpace, differ_and_overlap) {
+  for (const std::uint64_t seed : {6U, 9U, 13U, 20U, 35U}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scenario scene = rally(36, seed);
+    Draws draws(seed + 100);
+    for (RobotSetup& robot : scene.robots) robot.goal = draws.within(2.0);
+    expect_rest(scene);
+  }
 }
 
 // A judge that knows places alone.
@@ -156,6 +212,20 @@ TEST(SharedGoalsInSpace, have_arrived_where_robots_at_rest_lead_to_the_goal) {
   EXPECT_EQ(arrived({0.0, 0.0, 1.9}, {}), 2);
   EXPECT_EQ(arrived({0.0, 0.0, 2.1}, {}), 1) << "a robot fits through";
   EXPECT_EQ(arrived({0.0, 0.0, 1.9}, {0.01, 0.0, 0.0}), 1) << "it moves";
+}
+
+TEST(SharedGoalsInSpace, may_be_taken_by_a_robot_that_rests_around_its_own) {
+  const auto arrived = [](Vec3 middle_goal, Vec3 outer_goal) {
+    Check check({CheckedRobot{.goal = Vec3{}}, CheckedRobot{.goal = middle_goal},
+                 CheckedRobot{.goal = outer_goal}});
+    for (const double time : {0.0, 0.1})
+      check.add(time, std::vector<CheckedState>{
+                          {0, {}, {}}, {1, {1.1, 0.0, 0.0}, {}}, {2, {2.2, 0.0, 0.0}, {}}});
+    return check.report().arrived;
+  };
+  EXPECT_EQ(arrived({}, {1.6, 0.0, 0.0}), 3);
+  EXPECT_EQ(arrived({9.0, 0.0, 0.0}, {1.6, 0.0, 0.0}), 1) << "that one is on its route";
+  EXPECT_EQ(arrived({2.2, 0.0, 0.0}, {1.1, 0.0, 0.0}), 1) << "both are on their routes";
 }
 
 }  // namespace
