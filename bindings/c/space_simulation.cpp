@@ -48,8 +48,8 @@ avo_result avo_create_space_simulation(const avo_space_simulation_def* def,
   return guarded([&] {
     avo_space_simulation_id& id = at(simulation, "simulation");
     const avo_space_simulation_def known = read(def, {"def"}, avo_default_space_simulation_def());
-    id = fleets.add(std::make_unique<avo::space::Simulation>(scenario_of(known),
-                                                             checked_threads(known.threads)));
+    id = fleets.add(
+        std::make_unique<SpaceSimulation>(scenario_of(known), checked_threads(known.threads)));
   });
 }
 
@@ -59,8 +59,8 @@ avo_result avo_load_space_simulation(const char* path, const char* const* overri
   return guarded([&] {
     avo_space_simulation_id& id = at(simulation, "simulation");
     const std::vector<std::string> words = words_of(overrides, override_count);
-    id = fleets.add(std::make_unique<avo::space::Simulation>(
-        load_space_scene(&at(path, "path"), words), checked_threads(threads)));
+    id = fleets.add(std::make_unique<SpaceSimulation>(load_space_scene(&at(path, "path"), words),
+                                                      checked_threads(threads)));
   });
 }
 
@@ -73,7 +73,11 @@ bool avo_space_simulation_is_valid(avo_space_simulation_id simulation) {
 }
 
 avo_result avo_space_simulation_step(avo_space_simulation_id simulation) {
-  return guarded([&] { fleets.at(simulation).step(); });
+  return guarded([&] {
+    SpaceSimulation& own = fleets.at(simulation);
+    own.step();
+    require_events(own.watch.observe(own));
+  });
 }
 
 avo_result avo_space_simulation_get_time(avo_space_simulation_id simulation, double* time) {

@@ -223,6 +223,7 @@ void bind_space(py::module_& module) {
   space::bind_robots(own);
   space::bind_planner(own);
   space::bind_scenes(own);
+  space::bind_events(own);
   space::bind_runs(own);
   space::bind_worlds(own);
   space::bind_batches(own);

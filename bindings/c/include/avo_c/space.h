@@ -314,6 +314,16 @@ AVO_C_API avo_result avo_space_simulation_get_distance_left(avo_space_simulation
 AVO_C_API avo_result avo_space_simulation_unreachable(avo_space_simulation_id simulation,
                                                       avo_robot_id* buffer, size_t capacity,
                                                       size_t* count);
+/// Begins to watch the robots, as avo_simulation_watch(). Robots neither come nor go.
+AVO_C_API avo_result avo_space_simulation_watch(avo_space_simulation_id simulation,
+                                                double stuck_after);
+/// The events of the last step, as avo_simulation_events().
+AVO_C_API avo_result avo_space_simulation_events(avo_space_simulation_id simulation,
+                                                 avo_event* buffer, size_t capacity, size_t* count);
+/// Why the robot of that event is stuck, as avo_simulation_event_sentence().
+AVO_C_API avo_result avo_space_simulation_event_sentence(avo_space_simulation_id simulation,
+                                                         size_t event, char* buffer,
+                                                         size_t capacity, size_t* size);
 AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation,
                                                    avo_robot_id robot, avo_vec3 goal);
 /// A helicopter, a ball or a player comes. It is refused if it touches some robot, or if some robot
