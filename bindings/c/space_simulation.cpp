@@ -122,6 +122,15 @@ avo_result avo_space_simulation_get_distance_left(avo_space_simulation_id simula
   });
 }
 
+avo_result avo_space_simulation_get_route(avo_space_simulation_id simulation, avo_robot_id robot,
+                                          avo_space_route* route) {
+  return guarded([&] {
+    const avo::space::Simulation& fleet = fleets.at(simulation);
+    const auto [length, next, distance_left] = fleet.route(present(fleet, robot));
+    at(route, "route") = {length, to_c(next), distance_left};
+  });
+}
+
 avo_result avo_space_simulation_unreachable(avo_space_simulation_id simulation,
                                             avo_robot_id* buffer, size_t capacity, size_t* count) {
   return guarded([&] { list(fleets.at(simulation).unreachable(), buffer, capacity, count); });

@@ -297,6 +297,7 @@ static void goals_out_of_reach_are_told(void) {
   bool all_at_goal = true;
   size_t count = 0;
   double left = 0.0;
+  avo_space_route route;
   robots[0].goal = at(2.0, 0.0, 1.0);
   robots[1].position = at(0.0, 9.0, 0.0);
   robots[1].goal = at(0.0, 9.0, -3.5);
@@ -313,6 +314,13 @@ static void goals_out_of_reach_are_told(void) {
   CHECK(fabs(left - 3.0) < 0.1);
   REQUIRE(avo_space_simulation_get_distance_left(fleet, robot(1), &left));
   CHECK(left == 0.0);
+  REQUIRE(avo_space_simulation_get_route(fleet, robot(1), &route));
+  CHECK(fabs(route.length - sqrt(5.0)) < 1e-9 && route.distance_left == 0.0);
+  CHECK(route.next.x == 2.0 && route.next.y == 0.0 && route.next.z == 1.0);
+  REQUIRE(avo_space_simulation_get_route(fleet, robot(2), &route));
+  CHECK(isinf(route.length) && fabs(route.distance_left - 3.0) < 0.1 && route.next.z > -0.6);
+  REFUSES(avo_space_simulation_get_route(fleet, robot(1), NULL), AVO_ERROR_INVALID_ARGUMENT,
+          "route");
   REFUSES(avo_space_simulation_get_distance_left(fleet, robot(3), &left), AVO_ERROR_INVALID_ID,
           "robot: found 3, must be the id of one that is there");
   REQUIRE(avo_space_simulation_set_boxes(fleet, NULL, 0));

@@ -309,6 +309,15 @@ AVO_C_API avo_result avo_space_simulation_all_at_goal(avo_space_simulation_id si
 /// no box keeps it from its goal.
 AVO_C_API avo_result avo_space_simulation_get_distance_left(avo_space_simulation_id simulation,
                                                             avo_robot_id robot, double* distance);
+/// The rest of a robot's route.
+typedef struct avo_space_route {
+  double length;         ///< m; infinite for robots that avo_space_simulation_unreachable() lists
+  avo_vec3 next;         ///< m, its next point, a bend or its end
+  double distance_left;  ///< m, see avo_space_simulation_get_distance_left()
+} avo_space_route;
+/// The route that the robot knows: around boxes with navigation, else straight.
+AVO_C_API avo_result avo_space_simulation_get_route(avo_space_simulation_id simulation,
+                                                    avo_robot_id robot, avo_space_route* route);
 /// Robots that boxes keep from their goals, by ascending id: they go as near as they can. buffer
 /// and count are those of avo_simulation_unreachable().
 AVO_C_API avo_result avo_space_simulation_unreachable(avo_space_simulation_id simulation,
