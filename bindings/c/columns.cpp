@@ -157,6 +157,14 @@ avo_result avo_simulation_get_distance_left(avo_simulation_id simulation, avo_ro
   });
 }
 
+avo_result avo_simulation_get_route(avo_simulation_id simulation, avo_robot_id robot,
+                                    avo_route* route) {
+  return get_by_id(simulation, robot, route, [](const avo::Simulation& own, avo::RobotId id) {
+    const avo::Simulation::Route found = own.route(id);
+    return avo_route{found.length, to_c(found.next), found.distance_left};
+  });
+}
+
 avo_result avo_simulation_get_wait(avo_simulation_id simulation, avo_robot_id robot,
                                    avo_wait* wait) {
   return get_by_id(simulation, robot, wait, [](const avo::Simulation& own, avo::RobotId id) {

@@ -2,24 +2,12 @@
 // What happened to robots in the last step.
 #include "avo/events.h"
 
-#include <cstring>
 #include <string>
 
 #include "simulations.h"
+#include "space_simulations.h"
 
 namespace avo_c {
-
-bool observe_events(Simulation& simulation) noexcept {
-  simulation.happened = {};
-  if (!simulation.events) return true;
-  try {
-    simulation.happened = simulation.events->observe(simulation.simulation);
-  } catch (...) {
-    simulation.events.reset();
-  }
-  return simulation.events != nullptr;
-}
-
 namespace {
 
 static_assert(AVO_EVENT_CONTACT == static_cast<int>(avo::EventKind::contact));
@@ -34,12 +22,32 @@ avo_event to_c(const avo::Event& event) {
 }
 
 std::span<const avo::Event> happened_in(avo_simulation_id simulation) {
-  const Simulation& own = simulations.at(simulation);
-  if (own.events == nullptr)
-    fail(AVO_ERROR_UNSUPPORTED,
-         "events: found a simulation that is not watched, must be one after "
-         "avo_simulation_watch()");
-  return own.happened;
+  return simulations.at(simulation).watch.last("avo_simulation_watch");
+}
+
+std::span<const avo::Event> happened_in(avo_space_simulation_id simulation) {
+  return fleets.at(simulation).watch.last("avo_space_simulation_watch");
+}
+
+// Writes the events into the buffer, if they fit.
+void list_events(std::span<const avo::Event> events, avo_event* buffer, std::size_t capacity,
+                 std::size_t* count) {
+  at(count, "count") = events.size();
+  if (buffer == nullptr) return;
+  require_room(capacity, events.size());
+  for (const avo::Event& event : events) *buffer++ = to_c(event);
+}
+
+// Writes the sentence of one of them.
+void write_sentence(std::span<const avo::Event> events, std::size_t event, char* buffer,
+                    std::size_t capacity, std::size_t* size) {
+  std::size_t& written = at(size, "size");
+  if (event >= events.size())
+    fail(AVO_ERROR_INVALID_VALUE, "event: found " + std::to_string(event) +
+                                      ", must be less than the number of events, " +
+                                      std::to_string(events.size()));
+  const std::string& sentence = events[event].sentence;
+  write_bytes(sentence.c_str(), sentence.size() + 1, buffer, capacity, written);
 }
 
 }  // namespace
@@ -50,35 +58,33 @@ using namespace avo_c;  // NOLINT(google-build-using-namespace): what follows is
 avo_result avo_simulation_watch(avo_simulation_id simulation, double stuck_after) {
   return guarded([&] {
     Simulation& own = simulations.at(simulation);
-    avo::EventsOptions options;
-    if (stuck_after != 0.0) options.stuck_after = stuck_after;
-    own.events = std::make_unique<avo::Events>(own.simulation, options);
-    own.happened = {};
+    own.watch.begin(own.simulation, stuck_after);
   });
 }
 
 avo_result avo_simulation_events(avo_simulation_id simulation, avo_event* buffer, size_t capacity,
                                  size_t* count) {
-  return guarded([&] {
-    std::size_t& written = at(count, "count");
-    const std::span<const avo::Event> events = happened_in(simulation);
-    written = events.size();
-    if (buffer == nullptr) return;
-    require_room(capacity, events.size());
-    for (const avo::Event& event : events) *buffer++ = to_c(event);
-  });
+  return guarded([&] { list_events(happened_in(simulation), buffer, capacity, count); });
 }
 
 avo_result avo_simulation_event_sentence(avo_simulation_id simulation, size_t event, char* buffer,
                                          size_t capacity, size_t* size) {
+  return guarded([&] { write_sentence(happened_in(simulation), event, buffer, capacity, size); });
+}
+
+avo_result avo_space_simulation_watch(avo_space_simulation_id simulation, double stuck_after) {
   return guarded([&] {
-    std::size_t& written = at(size, "size");
-    const std::span<const avo::Event> events = happened_in(simulation);
-    if (event >= events.size())
-      fail(AVO_ERROR_INVALID_VALUE, "event: found " + std::to_string(event) +
-                                        ", must be less than the number of events, " +
-                                        std::to_string(events.size()));
-    const std::string& sentence = events[event].sentence;
-    write_bytes(sentence.c_str(), sentence.size() + 1, buffer, capacity, written);
+    SpaceSimulation& own = fleets.at(simulation);
+    own.watch.begin(own, stuck_after);
   });
+}
+
+avo_result avo_space_simulation_events(avo_space_simulation_id simulation, avo_event* buffer,
+                                       size_t capacity, size_t* count) {
+  return guarded([&] { list_events(happened_in(simulation), buffer, capacity, count); });
+}
+
+avo_result avo_space_simulation_event_sentence(avo_space_simulation_id simulation, size_t event,
+                                               char* buffer, size_t capacity, size_t* size) {
+  return guarded([&] { write_sentence(happened_in(simulation), event, buffer, capacity, size); });
 }

@@ -103,10 +103,9 @@ bool avo_simulation_is_valid(avo_simulation_id simulation) {
 avo_result avo_simulation_step(avo_simulation_id simulation) {
   return repopulated(simulation, [](Simulation& own) {
     own.simulation.step();
-    const bool has_events = observe_events(own);
+    const bool has_events = own.watch.observe(own.simulation);
     observe(own);
-    if (!has_events)
-      fail(AVO_ERROR_OUT_OF_MEMORY, "events: memory ran out, the step is done, they end");
+    require_events(has_events);
   });
 }
 

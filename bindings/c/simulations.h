@@ -16,6 +16,7 @@
 #include "convert.h"
 #include "handles.h"
 #include "ids.h"
+#include "watch.h"
 
 namespace avo_c {
 
@@ -25,8 +26,7 @@ struct Simulation {
   avo::Simulation simulation;
   std::optional<avo::Scenario> judged;  // where there are metrics
   std::unique_ptr<avo::Metrics> metrics;
-  std::unique_ptr<avo::Events> events;     // where the simulation is watched
-  std::span<const avo::Event> happened{};  // in the last step
+  Watch<avo::Events> watch;
 
   std::mutex looking;
   std::atomic<bool> has_ids = false;
@@ -43,10 +43,6 @@ void restart_metrics(Simulation& simulation);
 
 /// Ends the metrics, because they missed a change of the simulation. Throws Failure that says so.
 [[noreturn]] void lose_metrics(Simulation& simulation);
-
-/// Takes the events of the step, if the simulation is watched. Returns false where memory ran out
-/// for them: then they end.
-bool observe_events(Simulation& simulation) noexcept;
 
 /// Makes a simulation on the host's threads, or on as many threads as the definition says.
 avo::Simulation make(const avo::Scenario& scenario, const avo_simulation_def& def);

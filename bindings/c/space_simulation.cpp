@@ -48,8 +48,8 @@ avo_result avo_create_space_simulation(const avo_space_simulation_def* def,
   return guarded([&] {
     avo_space_simulation_id& id = at(simulation, "simulation");
     const avo_space_simulation_def known = read(def, {"def"}, avo_default_space_simulation_def());
-    id = fleets.add(std::make_unique<avo::space::Simulation>(scenario_of(known),
-                                                             checked_threads(known.threads)));
+    id = fleets.add(
+        std::make_unique<SpaceSimulation>(scenario_of(known), checked_threads(known.threads)));
   });
 }
 
@@ -59,8 +59,8 @@ avo_result avo_load_space_simulation(const char* path, const char* const* overri
   return guarded([&] {
     avo_space_simulation_id& id = at(simulation, "simulation");
     const std::vector<std::string> words = words_of(overrides, override_count);
-    id = fleets.add(std::make_unique<avo::space::Simulation>(
-        load_space_scene(&at(path, "path"), words), checked_threads(threads)));
+    id = fleets.add(std::make_unique<SpaceSimulation>(load_space_scene(&at(path, "path"), words),
+                                                      checked_threads(threads)));
   });
 }
 
@@ -73,7 +73,11 @@ bool avo_space_simulation_is_valid(avo_space_simulation_id simulation) {
 }
 
 avo_result avo_space_simulation_step(avo_space_simulation_id simulation) {
-  return guarded([&] { fleets.at(simulation).step(); });
+  return guarded([&] {
+    SpaceSimulation& own = fleets.at(simulation);
+    own.step();
+    require_events(own.watch.observe(own));
+  });
 }
 
 avo_result avo_space_simulation_get_time(avo_space_simulation_id simulation, double* time) {
@@ -115,6 +119,15 @@ avo_result avo_space_simulation_get_distance_left(avo_space_simulation_id simula
   return guarded([&] {
     const avo::space::Simulation& fleet = fleets.at(simulation);
     at(distance, "distance") = fleet.route(present(fleet, robot)).distance_left;
+  });
+}
+
+avo_result avo_space_simulation_get_route(avo_space_simulation_id simulation, avo_robot_id robot,
+                                          avo_space_route* route) {
+  return guarded([&] {
+    const avo::space::Simulation& fleet = fleets.at(simulation);
+    const auto [length, next, distance_left] = fleet.route(present(fleet, robot));
+    at(route, "route") = {length, to_c(next), distance_left};
   });
 }
 

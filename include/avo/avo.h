@@ -30,6 +30,7 @@
 #include "avo/simulation.h"
 #include "avo/space/box.h"
 #include "avo/space/check.h"
+#include "avo/space/events.h"
 #include "avo/space/metrics.h"
 #include "avo/space/planner.h"
 #include "avo/space/robot.h"

@@ -297,6 +297,7 @@ static void goals_out_of_reach_are_told(void) {
   bool all_at_goal = true;
   size_t count = 0;
   double left = 0.0;
+  avo_space_route route;
   robots[0].goal = at(2.0, 0.0, 1.0);
   robots[1].position = at(0.0, 9.0, 0.0);
   robots[1].goal = at(0.0, 9.0, -3.5);
@@ -313,12 +314,75 @@ static void goals_out_of_reach_are_told(void) {
   CHECK(fabs(left - 3.0) < 0.1);
   REQUIRE(avo_space_simulation_get_distance_left(fleet, robot(1), &left));
   CHECK(left == 0.0);
+  REQUIRE(avo_space_simulation_get_route(fleet, robot(1), &route));
+  CHECK(fabs(route.length - sqrt(5.0)) < 1e-9 && route.distance_left == 0.0);
+  CHECK(route.next.x == 2.0 && route.next.y == 0.0 && route.next.z == 1.0);
+  REQUIRE(avo_space_simulation_get_route(fleet, robot(2), &route));
+  CHECK(isinf(route.length) && fabs(route.distance_left - 3.0) < 0.1 && route.next.z > -0.6);
+  REFUSES(avo_space_simulation_get_route(fleet, robot(1), NULL), AVO_ERROR_INVALID_ARGUMENT,
+          "route");
   REFUSES(avo_space_simulation_get_distance_left(fleet, robot(3), &left), AVO_ERROR_INVALID_ID,
           "robot: found 3, must be the id of one that is there");
   REQUIRE(avo_space_simulation_set_boxes(fleet, NULL, 0));
   for (int k = 0; k < 100; ++k) REQUIRE(avo_space_simulation_step(fleet));
   REQUIRE(avo_space_simulation_all_at_goal(fleet, &all_at_goal));
   CHECK(all_at_goal);
+  REQUIRE(avo_destroy_space_simulation(fleet));
+}
+
+/* Steps until something happens. */
+static size_t next_space_events(avo_space_simulation_id fleet, avo_event* events, size_t capacity) {
+  size_t count = 0;
+  for (int k = 0; k < 500 && count == 0; ++k) {
+    REQUIRE(avo_space_simulation_step(fleet));
+    REQUIRE(avo_space_simulation_events(fleet, events, capacity, &count));
+  }
+  return count;
+}
+
+/* One robot arrives. The other one has a goal and goes nowhere, until a player touches it. */
+static void events_are_told(void) {
+  avo_space_robot_def robots[2] = {avo_default_space_robot_def(), avo_default_space_robot_def()};
+  avo_space_simulation_def def = avo_default_space_simulation_def();
+  avo_space_moving_obstacle_def player = avo_default_space_moving_obstacle_def();
+  avo_moving_obstacle_id ball;
+  avo_space_simulation_id fleet;
+  avo_event events[4];
+  char words[512];
+  size_t count = 9, size = 0;
+  robots[0].goal = at(2.0, 0.0, 1.0);
+  robots[1].position = at(0.0, 9.0, 0.0);
+  robots[1].goal = at(0.0, 9.0, -3.5);
+  robots[1].preferred_speed = 0.0;
+  def.robots = robots;
+  def.robot_count = 2;
+  REQUIRE(avo_create_space_simulation(&def, &fleet));
+  REFUSES(avo_space_simulation_events(fleet, events, 4, &count), AVO_ERROR_UNSUPPORTED,
+          "must be one after avo_space_simulation_watch()");
+  REFUSES(avo_space_simulation_watch(fleet, -1.0), AVO_ERROR_INVALID_VALUE,
+          "stuck_after: found -1, must be > 0 s");
+  REQUIRE(avo_space_simulation_watch(fleet, 9.0));
+  REQUIRE(avo_space_simulation_events(fleet, events, 4, &count));
+  CHECK(count == 0);
+  CHECK(next_space_events(fleet, events, 4) == 1);
+  CHECK(events[0].kind == AVO_EVENT_ARRIVED && events[0].robot.value == 1);
+  CHECK(events[0].moving_obstacle.value == 0 && !events[0].at_rest);
+  CHECK(next_space_events(fleet, events, 4) == 1);
+  CHECK(events[0].kind == AVO_EVENT_STUCK && events[0].robot.value == 2);
+  REQUIRE(avo_space_simulation_event_sentence(fleet, 0, words, sizeof words, &size));
+  CHECK(size > 20 && strlen(words) + 1 == size);
+  REFUSES(avo_space_simulation_event_sentence(fleet, 1, words, sizeof words, &size),
+          AVO_ERROR_INVALID_VALUE, "event: found 1, must be less than the number of events, 1");
+  player.position = at(0.0, 30.0, 0.0);
+  REQUIRE(avo_space_simulation_add_moving_obstacle(fleet, &player, &ball));
+  player.position = at(0.0, 9.2, 0.0);
+  REQUIRE(avo_space_simulation_change_moving_obstacle(fleet, ball, &player));
+  REQUIRE(avo_space_simulation_step(fleet));
+  REFUSES(avo_space_simulation_events(fleet, events, 0, &count), AVO_ERROR_BUFFER_TOO_SMALL,
+          "capacity: found 0, must be >= 1");
+  REQUIRE(avo_space_simulation_events(fleet, events, 4, &count));
+  CHECK(count == 1 && events[0].kind == AVO_EVENT_CONTACT && events[0].robot.value == 2);
+  CHECK(events[0].moving_obstacle.value == ball.value);
   REQUIRE(avo_destroy_space_simulation(fleet));
 }
 
@@ -347,6 +411,7 @@ int main(void) {
   set_points_are_one_delay_late();
   moving_obstacles_come_and_go();
   goals_out_of_reach_are_told();
+  events_are_told();
   scene_files_are_read();
   return 0;
 }

@@ -243,6 +243,13 @@ static void check_clocks_and_goals(avo_simulation_id simulation) {
   CHECK(count == 0);
   REQUIRE(avo_simulation_get_distance_left(simulation, moving, &next));
   CHECK(next == 0.0);
+  avo_route route;
+  avo_vec2 place, goal;
+  REQUIRE(avo_simulation_get_route(simulation, moving, &route));
+  REQUIRE(avo_simulation_get_position(simulation, moving, &place));
+  REQUIRE(avo_simulation_get_goal(simulation, moving, &goal));
+  CHECK(route.length >= hypot(goal.x - place.x, goal.y - place.y) && route.distance_left == 0.0);
+  CHECK(hypot(route.next.x - place.x, route.next.y - place.y) <= route.length);
   avo_wait wait = {true, {0.0, 0.0}, {9}, true, {0.0, 0.0}, {0.0, 0.0}};
   REQUIRE(avo_simulation_get_wait(simulation, moving, &wait));
   CHECK(!wait.waits);

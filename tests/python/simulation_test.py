@@ -156,9 +156,12 @@ def test_doors_close_and_open():
     door = simulation.add_obstacle(cage)
     assert simulation.unreachable() == [0]
     assert 1.5 < simulation.distance_left(0) < 3.0 and simulation.wait(0) is None
+    assert simulation.route(0)[0] == float("inf")
     assert [(i, o.fill, len(o.chains)) for i, o in simulation.obstacles()] == [(door, "none", 1)]
     simulation.remove_obstacle(door)
     assert simulation.unreachable() == [] and simulation.obstacles() == []
+    length, point = simulation.route(0)
+    assert length == pytest.approx(np.linalg.norm(simulation.position()[0])) and point == (0, 0)
     simulation.set_goal(0, goal)
     while not simulation.all_at_goal():
         simulation.step()

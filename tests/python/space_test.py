@@ -240,10 +240,38 @@ def test_goals_out_of_reach_are_told():
     simulation = avo.space.Simulation(scene)
     assert simulation.unreachable() == [1] and simulation.distance_left(0) == 0.0
     assert simulation.distance_left(1) == pytest.approx(one["distance_left"], abs=1e-6)
-    with pytest.raises(avo.Error, match="robot: found 2, must be 0 to 1"):
-        simulation.distance_left(2)
+    length, point = simulation.route(0)
+    assert length == pytest.approx(5 ** 0.5) and point == (2, 0, 1)
+    assert simulation.route(1)[0] == float("inf")
+    for of_robot in simulation.distance_left, simulation.route:
+        with pytest.raises(avo.Error, match="robot: found 2, must be 0 to 1"):
+            of_robot(2)
     simulation.set_boxes([])
     assert simulation.unreachable() == []
+
+
+def test_events_have_the_names_of_the_plane():
+    simulation = avo.space.Simulation(
+        {"version": 1, "space": 3, "robots": [{"position": [0, 0, 0], "goal": [4, 0, 1]},
+                                              {"position": [0, 9, 0], "goal": [0, 9, 5], "preferred_speed": 0}]})
+    events = avo.space.Events(simulation, stuck_after=8)
+    assert events.observe() == []
+    found = []
+    for _ in range(100):
+        simulation.step()
+        found += events.observe()
+    arrived, stuck = found
+    assert isinstance(arrived, avo.Event) and (arrived.kind, arrived.robot) == ("arrived", 0)
+    assert (stuck.kind, stuck.robot) == ("stuck", 1) and stuck.sentence.startswith("Robot 1 ")
+    player = simulation.add_moving_obstacle(avo.space.MovingObstacle(position=(0, 30, 0)))
+    simulation.change_moving_obstacle(player, avo.space.MovingObstacle(position=(0, 9.2, 0)))
+    simulation.step()
+    contact, = events.observe()
+    assert (contact.kind, contact.robot, contact.moving_obstacle) == ("contact", 1, player)
+    with pytest.raises(avo.Error, match="stuck_after: found 0, must be > 0 s"):
+        avo.space.Events(simulation, stuck_after=0)
+    with pytest.raises(TypeError):
+        avo.Events(simulation)
 
 
 def test_bad_numbers_are_a_status_and_other_points_are_refused():

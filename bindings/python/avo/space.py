@@ -8,6 +8,7 @@ from . import _avo
 Box = _avo._space.Box
 Detour = _avo._space.Detour
 Detours = _avo._space.Detours
+Events = _avo._space.Events
 Filter = _avo._space.Filter
 Mover = _avo._space.Mover
 MovingObstacle = _avo._space.MovingObstacle
@@ -34,6 +35,7 @@ __all__ = [
     "Box",
     "Detour",
     "Detours",
+    "Events",
     "Filter",
     "Mover",
     "MovingObstacle",

@@ -32,6 +32,7 @@ namespace space {  // the parts of it
 void bind_robots(py::module_& module);
 void bind_planner(py::module_& module);
 void bind_scenes(py::module_& module);
+void bind_events(py::module_& module);
 void bind_runs(py::module_& module);
 void bind_worlds(py::module_& module);
 void bind_batches(py::module_& module);

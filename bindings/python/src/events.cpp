@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "avo/space/events.h"
 #include "renamed.h"
 #include "simulation.h"
+#include "space.h"
 
 namespace avo_python {
 namespace {
@@ -19,24 +21,40 @@ using avo::EventKind;
 using py::arg;
 
 /// An observer that threads share, like its simulation.
+template <typename Events, typename Simulation>
 class SharedEvents {
  public:
-  SharedEvents(SharedSimulation& simulation, double stuck_after) : simulation_(simulation) {
-    simulation_.alone([&](const avo::Simulation& s) {
-      events_ = std::make_unique<avo::Events>(s, avo::EventsOptions{stuck_after});
+  SharedEvents(Simulation& simulation, double stuck_after) : simulation_(simulation) {
+    simulation_.alone([&](const auto& s) {
+      events_ = std::make_unique<Events>(s, avo::EventsOptions{stuck_after});
     });
   }
   std::vector<Event> observe() {
-    return simulation_.alone([&](const avo::Simulation& s) {
+    return simulation_.alone([&](const auto& s) {
       const auto events = events_->observe(s);  // alone, by the simulation's mutex
       return std::vector<Event>(events.begin(), events.end());
     });
   }
 
  private:
-  SharedSimulation& simulation_;
-  std::unique_ptr<avo::Events> events_;
+  Simulation& simulation_;
+  std::unique_ptr<Events> events_;
 };
+
+template <typename Events, typename Simulation>
+void bind_observer(py::module_& module) {
+  using Observer = SharedEvents<Events, Simulation>;
+  py::class_<Observer>(module, "Events",
+                       "What happens to robots from step to step, so that a host need not ask each "
+                       "of them.")
+      .def(py::init<Simulation&, double>(), py::keep_alive<1, 2>(), arg("simulation"),
+           py::kw_only(), arg("stuck_after") = avo::EventsOptions{}.stuck_after,
+           "stuck_after: s; a robot that makes no progress for so long is stuck. What holds now is "
+           "no event.")
+      .def("observe", &Observer::observe,
+           "The events since the last look, a list of Event, by robot and kind. Call it after "
+           "every step().");
+}
 
 std::string text_of(const Event& event) {
   const std::string what = fmt::format("{} {}", to_string(event.kind), event.robot.value);
@@ -81,17 +99,15 @@ void bind_events(py::module_& module) {
           },
           "Why a robot is stuck, as Simulation.explain() says; else None.")
       .def("__repr__", &text_of);
-  py::class_<SharedEvents>(module, "Events",
-                           "What happens to robots from step to step, so that a host need not "
-                           "ask each of them.")
-      .def(py::init<SharedSimulation&, double>(), py::keep_alive<1, 2>(), arg("simulation"),
-           py::kw_only(), arg("stuck_after") = avo::EventsOptions{}.stuck_after,
-           "stuck_after: s; a robot that makes no progress for so long is stuck. What holds now is "
-           "no event.")
-      .def(
-          "observe", &SharedEvents::observe,
-          "The events since the last look, a list of Event, by robot and kind. Call it after every "
-          "step().");
+  bind_observer<avo::Events, SharedSimulation>(module);
 }
+
+namespace space {
+
+void bind_events(py::module_& module) {
+  bind_observer<avo::space::Events, SharedSpaceSimulation>(module);
+}
+
+}  // namespace space
 
 }  // namespace avo_python

@@ -176,6 +176,16 @@ void bind_state(SimulationClass& simulation) {
           "the "
           "robot from its goal.")
       .def(
+          "route",
+          [](SharedSimulation& self, std::int64_t id) {
+            const auto route =
+                self.briefly([&](const Simulation& s) { return s.route(robot_id(id)); });
+            return std::pair(route.length, route.next);
+          },
+          arg("id"),
+          "The rest of the route that the robot knows: its length, m, inf for those that "
+          "unreachable() names, and its next point, a corner of a wall or its end.")
+      .def(
           "wait",
           [](SharedSimulation& self,
              std::int64_t id) -> std::optional<std::pair<avo::Vec2, std::uint64_t>> {

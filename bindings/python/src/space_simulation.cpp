@@ -3,6 +3,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
+#include <utility>
 
 #include "arrays.h"
 #include "avo/space/reachability.h"
@@ -158,6 +159,16 @@ void bind_state(SpaceSimulationClass& simulation) {
           arg("robot"),
           "m, from the nearest place that the robot can reach to its goal; 0 where no box keeps it "
           "from its goal.")
+      .def(
+          "route",
+          [](SharedSpaceSimulation& self, std::int64_t robot) {
+            const auto route =
+                self.briefly([&](const Simulation& s) { return s.route(checked(s, robot)); });
+            return std::pair(route.length, route.next);
+          },
+          arg("robot"),
+          "The rest of the route that the robot knows: its length, m, inf for those that "
+          "unreachable() names, and its next point, a bend or its end.")
       .def("state_hash", told([](const Simulation& s) { return s.state_hash(); }),
            "Equal for equal states, bit by bit.");
 }
@@ -223,6 +234,7 @@ void bind_space(py::module_& module) {
   space::bind_robots(own);
   space::bind_planner(own);
   space::bind_scenes(own);
+  space::bind_events(own);
   space::bind_runs(own);
   space::bind_worlds(own);
   space::bind_batches(own);

@@ -911,6 +911,15 @@ AVO_C_API avo_result avo_simulation_decided(avo_simulation_id simulation, avo_ro
 /// no wall keeps it from its goal.
 AVO_C_API avo_result avo_simulation_get_distance_left(avo_simulation_id simulation,
                                                       avo_robot_id robot, double* distance);
+/// The rest of a robot's route.
+typedef struct avo_route {
+  double length;         ///< m; infinite for robots that avo_simulation_unreachable() lists
+  avo_vec2 next;         ///< m, its next point, a corner of a wall or its end
+  double distance_left;  ///< m, see avo_simulation_get_distance_left()
+} avo_route;
+/// The shortest route that the robot knows: around walls with navigation, else straight.
+AVO_C_API avo_result avo_simulation_get_route(avo_simulation_id simulation, avo_robot_id robot,
+                                              avo_route* route);
 /// The robot for which another robot waits at a passage of one lane.
 typedef struct avo_wait {
   bool waits;          ///< if false, the other members have no meaning

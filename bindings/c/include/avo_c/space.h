@@ -309,11 +309,30 @@ AVO_C_API avo_result avo_space_simulation_all_at_goal(avo_space_simulation_id si
 /// no box keeps it from its goal.
 AVO_C_API avo_result avo_space_simulation_get_distance_left(avo_space_simulation_id simulation,
                                                             avo_robot_id robot, double* distance);
+/// The rest of a robot's route.
+typedef struct avo_space_route {
+  double length;         ///< m; infinite for robots that avo_space_simulation_unreachable() lists
+  avo_vec3 next;         ///< m, its next point, a bend or its end
+  double distance_left;  ///< m, see avo_space_simulation_get_distance_left()
+} avo_space_route;
+/// The route that the robot knows: around boxes with navigation, else straight.
+AVO_C_API avo_result avo_space_simulation_get_route(avo_space_simulation_id simulation,
+                                                    avo_robot_id robot, avo_space_route* route);
 /// Robots that boxes keep from their goals, by ascending id: they go as near as they can. buffer
 /// and count are those of avo_simulation_unreachable().
 AVO_C_API avo_result avo_space_simulation_unreachable(avo_space_simulation_id simulation,
                                                       avo_robot_id* buffer, size_t capacity,
                                                       size_t* count);
+/// Begins to watch the robots, as avo_simulation_watch(). Robots neither come nor go.
+AVO_C_API avo_result avo_space_simulation_watch(avo_space_simulation_id simulation,
+                                                double stuck_after);
+/// The events of the last step, as avo_simulation_events().
+AVO_C_API avo_result avo_space_simulation_events(avo_space_simulation_id simulation,
+                                                 avo_event* buffer, size_t capacity, size_t* count);
+/// Why the robot of that event is stuck, as avo_simulation_event_sentence().
+AVO_C_API avo_result avo_space_simulation_event_sentence(avo_space_simulation_id simulation,
+                                                         size_t event, char* buffer,
+                                                         size_t capacity, size_t* size);
 AVO_C_API avo_result avo_space_simulation_set_goal(avo_space_simulation_id simulation,
                                                    avo_robot_id robot, avo_vec3 goal);
 /// A helicopter, a ball or a player comes. It is refused if it touches some robot, or if some robot
