@@ -326,6 +326,9 @@ class AVO_API Simulation {
     /// All walls that matter to it, and more. They are where the robot sees them, which depends on
     /// the error of its own place.
     std::vector<Wall> walls = {};
+    /// Of each wall: the value of its ObstacleId, or -1 - k where it is the disc of a parked robot
+    /// with the value k of its RobotId
+    std::vector<std::int64_t> wall_source = {};
     /// For a robot that brakes until it stands, near a goal that others share (docs/arrival.md,
     /// rule 4). This is its decision, whatever it would plan, unless that is `overlapping`.
     std::optional<Plan> stop = {};

@@ -50,11 +50,17 @@ Json constraints_of(const Decision& decision) {
   return constraints;
 }
 
-/// Returns the walls that the robot knows.
+/// Returns the walls that the robot knows, each with its obstacle or its parked robot.
 Json walls_of(const Decision& decision) {
   Json walls = Json::array();
-  for (const avo::Wall& wall : decision.seen.walls)
-    walls.push_back({{"a", to_json(wall.a)}, {"b", to_json(wall.b)}, {"radius", wall.radius}});
+  for (std::size_t k = 0; k < decision.seen.walls.size(); ++k) {
+    const avo::Wall& wall = decision.seen.walls[k];
+    const std::int64_t source = decision.seen.wall_source[k];
+    walls.push_back({{"a", to_json(wall.a)},
+                     {"b", to_json(wall.b)},
+                     {"radius", wall.radius},
+                     {source < 0 ? "robot" : "obstacle", source < 0 ? -1 - source : source}});
+  }
   return walls;
 }
 

@@ -292,6 +292,8 @@ TEST(Explain, lists_half_planes_of_walls_and_what_the_certificate_keeps) {
     EXPECT_EQ(point(json["walls"][1]["a"]), seen.walls[1].a);
     EXPECT_EQ(point(json["walls"][1]["b"]), seen.walls[1].b);
     EXPECT_EQ(json["walls"][1]["radius"], seen.walls[1].radius);
+    for (std::size_t k = 0; k < seen.walls.size(); ++k)
+      EXPECT_EQ(json["walls"][k]["obstacle"], seen.wall_source[k]);
 
     avo::WallPlanes planes;
     simulation.planner().collect_half_planes(seen.robot, seen.walls, planes);

@@ -290,6 +290,9 @@ void bind_perception(py::module_& module, SimulationClass& simulation) {
       .def_readonly("among_movers", &Perception::among_movers,
                     "whether it plans as among obstacles that do not react")
       .def_readonly("walls", &Perception::walls, "list of Wall, a copy")
+      .def_readonly("wall_source", &Perception::wall_source,
+                    "Of each wall, the id of its static obstacle, or -1 - k for the disc of parked "
+                    "robot k.")
       .def_readonly(
           "stop", &Perception::stop,
           "Plan of a robot that brakes until it stands, near a goal that others share: its "

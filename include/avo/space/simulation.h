@@ -44,9 +44,17 @@ class AVO_API Simulation {
   /// The states of all robots, in the order of the scene: robot k has the id k. Valid until the
   /// next step.
   [[nodiscard]] std::span<const Robot> robots() const;
-  /// The last decisions; those before the first step are empty. `neighbor` and `mover` are the
-  /// values of ids, and `box` a place in the scene's boxes.
+  /// The last decisions, in that order; those before the first step are empty. Their `neighbor`,
+  /// `box` and `mover` are -1, because no lists are given: see touched().
   [[nodiscard]] std::span<const Plan> plans() const;
+  /// What a robot touches, or will touch although it brakes: one of the three is set.
+  struct Touched {
+    std::optional<RobotId> robot = {};
+    std::optional<ObstacleId> obstacle = {};
+    std::optional<MovingObstacleId> moving_obstacle = {};
+  };
+  /// Set where the robot's last decision is `overlapping`; Plan::depth says how deep.
+  [[nodiscard]] std::optional<Touched> touched(RobotId robot) const;
   /// The moving obstacles as they are now, exactly, by ascending id; valid until the next step or
   /// edit.
   [[nodiscard]] std::span<const Mover> movers() const;

@@ -62,7 +62,7 @@ function verdictRows(decision: Decision): Row[] {
 
 function contactRows(decision: Decision): Row[] {
   if (decision.contact_with === null || decision.contact_depth === null) return [];
-  const whom = labelOf(nameOf(decision.contact_with));
+  const whom = labelOf(nameOf(decision.contact_with), decision.walls);
   return [{ name: "contact", label: "contact", value: `${whom}, ${decision.contact_depth.toPrecision(3)} m deep`, exact: decision.contact_depth, title: "whom it touches, or comes to touch in spite of braking, and how deep" }];
 }
 
@@ -81,7 +81,7 @@ function waitRows(decision: Decision): Row[] {
 
 function stateText(decision: Decision): string {
   if (decision.state !== "doomed") return decision.state;
-  const whom = decision.doomed_by === null ? "" : ` by ${labelOf(nameOf(decision.doomed_by))}`;
+  const whom = decision.doomed_by === null ? "" : ` by ${labelOf(nameOf(decision.doomed_by), decision.walls)}`;
   if (decision.contact_within === 0) return `doomed${whom}: in contact`;
   return `doomed${whom} within ${digits(decision.contact_within ?? 0)} s`;
 }

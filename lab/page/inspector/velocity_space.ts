@@ -2,7 +2,7 @@
 // The velocity space of one decision on a canvas: bright velocities are allowed, dark ones are forbidden (the paper's
 // Figs. 4 to 6).
 import type { Decision, Disc, Vec } from "./decision.ts";
-import { along, avoidsUnion, norm, shortLabelOf, violation } from "./decision.ts";
+import { along, avoidsUnion, norm, violation } from "./decision.ts";
 import { Labels } from "./labels.ts";
 import type { Palette } from "./palette.ts";
 import { Pen, arrow, dotAt, forbiddenSide, lineEnd } from "./pen.ts";
@@ -146,7 +146,7 @@ function drawLabels(pen: Pen, space: VelocitySpace, highlighted: string | null):
     const isHit = cut.of === highlighted;
     const [x, y] = toScreen(view, along(end, cut.normal, -9 / view.scale));  // beside its line, on the forbidden side
     labels.place(x, y, {
-      formula: shortLabelOf(cut.of), size: cut.binds || isHit ? LABEL + 2 : LABEL, halo: palette.halo, distance: 0,
+      formula: cut.short, size: cut.binds || isHit ? LABEL + 2 : LABEL, halo: palette.halo, distance: 0,
       color: isHit ? palette.highlight : cut.binds ? palette.ink : palette.soft, optional: !cut.binds && !isHit,
     });
   }
