@@ -154,6 +154,10 @@ Json half_planes_of(const Decision& decision) {
   return half_planes;
 }
 
+bool chooses_in_half_planes(const Decision& decision) {
+  return decision.by_half_planes && !avo::avoids_union(decision.method);
+}
+
 // Returns the neighbors that the robot senses.
 Json neighbors_of(const Decision& decision) {
   const auto& seen = decision.seen;
@@ -207,7 +211,7 @@ std::string to_json(const Decision& decision) {
             {"max_braking", braking_limit(self)},
             {"priority", self.priority},
             {"neighbors", neighbors_of(decision)},
-            {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
+            {"rule", chooses_in_half_planes(decision) ? "half_planes" : "union_of_obstacles"},
             {"half_planes", half_planes_of(decision)},
             {"walls", walls_of(decision)},
             {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};
@@ -215,7 +219,7 @@ std::string to_json(const Decision& decision) {
     json["certificate_kind"] = avo::to_string(decision.certificate);
     json["certificate"] = constraints_of(decision);
     json["wall_certificate"] = wall_constraints_of(decision);
-    json["detour"] = seen.detour.angle;
+    json["detour_angle"] = seen.detour.angle;
     json["response_time"] = decision.response_time;
   }
   const bool overlaps = decision.plan.status == avo::PlanStatus::overlapping;

@@ -91,7 +91,7 @@ export interface Decision {
   certificate_kind?: string;
   certificate?: { neighbor: Source; interval: number; normal: Vec; offset: number }[];
   wall_certificate?: { wall: number; held: number; distance: number; normal: Vec }[];
-  detour?: number;              // rad, to the right
+  detour_angle?: number;        // rad, to the right
   response_time?: number;       // s, with which the robot approaches v'; 0: at once
   loiter?: Disc;
   risk?: number;
@@ -157,12 +157,6 @@ export function violation(plane: HalfPlane, v: Vec): number {
 /** Returns the distance from the surface of the robot to that of the neighbor, m; negative if they overlap. */
 export function clearanceOf(decision: Decision, other: Sensed): number {
   return norm(minus(decision.position, other.position)) - decision.radius - other.radius;
-}
-
-/** Methods that choose v' outside the union of obstacles, and not within half-planes. */
-export function avoidsUnion(decision: Pick<Decision, "rule">, method: string): boolean {
-  return decision.rule === "union_of_obstacles" || method === "velocity_obstacle" ||
-    method === "reciprocal_velocity_obstacle";
 }
 
 export function isCertified({ certificate_kind }: Decision): boolean {

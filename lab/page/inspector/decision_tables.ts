@@ -51,7 +51,7 @@ function verdictRows(decision: Decision): Row[] {
     const constraints = decision.certificate ?? [];
     const whose = new Set(constraints.map((constraint) => constraint.neighbor)).size;
     rows.push(
-      { name: "detour", label: "detour", value: `${digits((decision.detour ?? 0) * 180 / Math.PI, 1)}° to the right`, exact: decision.detour },
+      { name: "detour_angle", label: "detour", value: `${digits((decision.detour_angle ?? 0) * 180 / Math.PI, 1)}° to the right`, exact: decision.detour_angle },
       { name: "response_time", label: "response time", value: decision.response_time ? `${digits(decision.response_time)} s` : "0: at once", exact: decision.response_time, title: "time constant with which it approaches v′" },
       { name: "certificate", label: "certificate", value: `${decision.certificate_kind.replaceAll("_", " ")}: ${constraints.length} constraints of ${whose} neighbors`, exact: constraints.length });
   }

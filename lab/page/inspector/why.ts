@@ -3,7 +3,7 @@
 // tells which of them bind.
 import type { SceneInfo } from "../../avo/avo.ts";
 import type { Decision, HalfPlane, SensedWall, Vec } from "./decision.ts";
-import { avoidsUnion, labelOf, nameOf, shortLabelOf, violation, wallName } from "./decision.ts";
+import { labelOf, nameOf, shortLabelOf, violation, wallName } from "./decision.ts";
 
 /** A half-plane of the decision, and its effect on the choice. */
 export interface Cut extends HalfPlane {
@@ -33,7 +33,7 @@ export function lawOf(info: SceneInfo): Law {
 }
 
 export function why(decision: Decision, law: Law, info: Pick<SceneInfo, "walls">): Why {
-  const union = avoidsUnion(decision, law.method);
+  const union = decision.rule === "union_of_obstacles";
   const wish = decision.preferred_velocity;
   const binding = union ? [] : decision.trace.binding.map((source) => (source === null ? "" : nameOf(source)));
   const cut = (name: string, { normal, offset }: HalfPlane, forbids: boolean): Cut => ({
