@@ -184,7 +184,8 @@ void append_seen(const Explanation& why, const Line& line) {
 void append_stages(const Explanation& why, const Line& line) {
   const avo::space::DecisionTrace& trace = why.decision;
   const auto refused = [&](const std::vector<Cause>& causes) {
-    return causes.empty() ? std::string("admitted") : "refused because of " + names_in_text(why, causes);
+    return causes.empty() ? std::string("admitted")
+                          : "refused because of " + names_in_text(why, causes);
   };
   if (trace.rule != avo::WishRule::none)
     line("wish", fmt::format("{} m/s, {}", text(trace.wish), avo::to_string(trace.rule)));

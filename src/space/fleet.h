@@ -46,7 +46,7 @@ struct Trip {
   double box_range;        // m
 };
 
-/// What a robot knows and remembers on its way to its goal.
+/// What a robot knows and remembers on its route to its goal.
 struct Travelling {
   Robot& robot;
   SpaceRoute& route;

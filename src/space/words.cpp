@@ -27,7 +27,7 @@ Words list_of(const Explanation& e, const std::vector<Cause>& causes) {
   return guidance::list_of(names);
 }
 
-// The neighbor or moving obstacle whose center is nearest.
+// The neighbor or moving obstacle with the nearest center.
 Cause nearest_of(const Explanation& e) {
   Cause nearest;
   double least = std::numeric_limits<double>::infinity();  // m²

@@ -24,8 +24,8 @@ struct Explanation {
   std::string sentence = {};
 };
 
-/// The name in sentences of what limits the decision: "robot 7", "obstacle 2", "moving obstacle 1", or
-/// "its own limits".
+/// The name in sentences of what limits the decision: "robot 7", "obstacle 2", "moving obstacle 1",
+/// or "its own limits".
 AVO_API std::string name_of(const Explanation& explanation, Cause cause);
 
 }  // namespace avo::space

@@ -113,11 +113,11 @@ class AVO_API Simulation {
   /// Gives the robot another goal, m; the same goal again changes nothing. Throws Error for a robot
   /// that does not exist, and for a goal that is not finite.
   void set_goal(RobotId robot, Vec3 goal);
-  /// A moving obstacle comes: a helicopter, a ball, or a player whom the host moves. With a
+  /// A moving obstacle comes: a helicopter, a ball, or a player that the host moves. With a
   /// trajectory it is where the trajectory says at the present time. Throws Error on bad values.
-  /// Under a certificate it also throws Error on one that touches some robot, or before which some
-  /// robot cannot brake, and on one that has to be seen from beyond the scene's sensing_radius.
-  /// Changes nothing where it throws.
+  /// Under a certificate the obstacle may touch no robot, and all robots can brake before it. It
+  /// has to be sensed from within the scene's sensing_radius. Throws Error otherwise, and changes
+  /// nothing where it throws.
   MovingObstacleId add_moving_obstacle(const MovingObstacle& obstacle);
   /// Changes the moving obstacle: its place, velocity, radius, limits and trajectory are those of
   /// `obstacle` from now on. Robots count on no more than max_deviation and max_speed say. What the

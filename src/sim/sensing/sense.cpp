@@ -15,7 +15,7 @@ namespace avo::inline sim {
 namespace {
 
 // Returns whether all neighbors that are sensed exactly are valid, for any motion since they were
-// checked, and so is the place that the robot believes to be at.
+// checked. The place where the robot believes to be has to be valid as well.
 bool is_trusted(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
   return world.summary.is_valid && !world.summary.is_fast &&
@@ -96,7 +96,7 @@ std::optional<Neighbor> sensed_at(const World& world, std::size_t place, std::si
   return neighbor;
 }
 
-// Notes who the neighbor just appended is, see Worker::sources.
+// Notes the source of the neighbor just appended, see Worker::sources.
 void note(int source, Worker& worker) {
   if (worker.sources != nullptr) worker.sources->push_back(source);
 }
