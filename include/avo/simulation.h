@@ -133,7 +133,7 @@ class AVO_API Simulation {
   /// otherwise every later step throws Error.
   /// Robots of an external method first get their velocities from its function. Where there is
   /// none, where it throws, or where a velocity is not finite, the step throws and has moved
-  /// no robot. Hosts with frames of any length, who look for step(dt): see can_step_by(), and
+  /// no robot. Hosts with frames of any length that look for step(dt): see can_step_by(), and
   /// docs/manual/howto/host.md, "Time".
   void step();
 
@@ -326,6 +326,9 @@ class AVO_API Simulation {
     /// All walls that matter to it, and more. They are where the robot sees them, which depends on
     /// the error of its own place.
     std::vector<Wall> walls = {};
+    /// The value of each wall's ObstacleId. For the disc of a parked robot, -1 - k with the value k
+    /// of its RobotId
+    std::vector<std::int64_t> wall_source = {};
     /// For a robot that brakes until it stands, near a goal that others share (docs/arrival.md,
     /// rule 4). This is its decision, whatever it would plan, unless that is `overlapping`.
     std::optional<Plan> stop = {};

@@ -137,7 +137,7 @@ export interface SceneInfo {
   broken_assumptions: string[]; // of the certificate; empty: its promise is valid
 }
 
-/** A moving obstacle. Of a scene of space it is known where it is at any time, in m, m/s, m/s^2 and s. */
+/** A moving obstacle. In a scene of space it is known where it is at any time, in m, m/s, m/s^2 and s. */
 export interface MovingObstacleInfo {
   radius: number;
   position?: number[];

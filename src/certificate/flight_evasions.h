@@ -22,7 +22,7 @@ bool take_first_flight(const EvasionOptions& options, Surroundings& around, cons
 void take_no_flight(Surroundings& around, Vec2 velocity);
 /// Returns whether A keeps clear, (C1) and (C3), if it circles at once.
 bool may_circle(const EvasionOptions& options, Surroundings& around);
-/// Returns whether A keeps clear, (C1) and (C3), if A holds the control for some steps and then
+/// Returns whether A keeps clear, (C1) and (C3). A holds the control for some steps and then
 /// circles. around.last is then the state in which it begins to circle.
 bool may_circle_after(const EvasionOptions& options, Surroundings& around,
                       const FlightControl& control);

@@ -53,7 +53,7 @@ struct alignas(128) Worker {
   // what the robots of a tile remember besides tile.detour: in the fleet, or in a copy
   std::vector<Travel*> travels;          // where there are routes
   std::vector<std::uint8_t*> has_stood;  // where some share room at their goals
-  // where the only robot of a tile is explained: what leads it, and who its neighbors are, as in
+  // where the only robot of a tile is explained: what leads it, and its neighbors, as in
   // Sighting::source
   Guide* told = nullptr;
   std::vector<int>* sources = nullptr;

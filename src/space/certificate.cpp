@@ -110,8 +110,8 @@ void append_pair(const BrakingPair& pair, const PairShape<3>& shape, int index, 
   }
 }
 
-// What the pair can refuse: the gap is infinite where it is nothing at all, and -infinity where it
-// is not known. docs/space.md, "What can refuse nothing".
+// What the pair can refuse: the gap is infinite where the pair refuses nothing, and -infinity where
+// nothing is known. See docs/space.md, "What can refuse nothing".
 scalar::PackClearance<Real> clearance_of(const scalar::PackRobot<Real, 3>& self,
                                          const scalar::PackRobot<Real, 3>& other,
                                          const scalar::PackPair<Real, 3>& pair,

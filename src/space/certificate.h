@@ -63,8 +63,8 @@ bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked as
 /// [v_1] m/s: full braking.
 Vec3 backup_velocity(const Robot& robot, const StepLaw& law);
 
-/// Appends for each neighbor, moving obstacle and box that refuses the last tested candidate the
-/// tangent of its worst constraint, a half-space in v_1 in the robot's own space.
+/// Each neighbor, moving obstacle and box that refuses the last tested candidate has a worst
+/// constraint. Appends its tangent, a half-space in v_1 in the robot's own space.
 void append_cuts(const Robot& robot, const StepLaw& law, const Constraints& constraints,
                  std::vector<HalfSpace>& cuts);
 

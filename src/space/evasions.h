@@ -56,7 +56,7 @@ struct EvasionSearch {
   /// The work that is left for this decision; no evasive maneuver counts as clear once it is used
   /// up.
   int work = std::numeric_limits<int>::max();
-  /// Of the last decision that evades: its evasive maneuver, and the next velocity that it has
+  /// The evasive maneuver of the last decision that evades, and the next velocity that it has
   /// rejected, m/s.
   Evasion chosen;
   Vec3 put_aside;

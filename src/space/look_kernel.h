@@ -19,14 +19,14 @@ AVO_KERNEL Real square(Real a) {
   return a * a;
 }
 
-/// m²: beyond this squared distance of a body with A's priority A surely needs no constraint for
-/// it, by the test of are_far() for the largest reach of all bodies.
+/// m²: the squared distance of a body with A's priority beyond which A surely needs no constraint
+/// for it. It is the test of are_far() for the largest reach of all bodies.
 template <typename Real>
 AVO_KERNEL Real far_squared(const PackLook<Real>& a, const PackBody<Real>& body,
                             const space::Bodies& bodies) {
   const Real rounding(kFarther), one(1.0), infinity(std::numeric_limits<double>::infinity());
-  // the margin of rounding for a length of 1 m; that of the place of the body, which is no longer
-  // than twice its distance, is left to the distance
+  // The margin of rounding for a length of 1 m. The place of the body is no longer than twice its
+  // distance, which contains its margin.
   const Real per_length =
       rounding_margin<Real, 3>(one, a.intervals, min(body.share, one - body.share));
   const Real reach = body.contact + body.wash + a.reach + Real(bodies.most_error) +

@@ -77,7 +77,7 @@ std::vector<int> in_order(std::span<const Body> bodies, const Append& append) {
   return order;
 }
 
-// Whom the half-spaces of a decision are of, by their numbers.
+// The bodies that the half-spaces of a decision are of, by their numbers.
 struct Sources {
   std::vector<int> boxes, movers;
   double hard;

@@ -38,7 +38,7 @@ double approached_in(double time, double lag) {
   return lag > 0.0 ? -elementary::expm1(-time / lag) : 1.0;
 }
 
-// Of a drive: parts of each cycle of its wheels' controller, in which it turns evenly.
+// For a drive: parts of each cycle of its wheels' controller, in which it turns evenly.
 constexpr int kSubsteps = 4;
 
 // The controller begins a cycle when a command begins to act, and when a step ends.

@@ -1087,8 +1087,8 @@ AVO_C_API bool avo_team_is_valid(avo_team_id team);
 /// Sets goals and preferred velocities of the robots for the next step: call it before each step.
 /// Robots that are gone leave the team.
 AVO_C_API avo_result avo_team_lead(avo_team_id team, avo_simulation_id simulation);
-/// The first robot of a queue goes to its own goal, the others move up. *robot: the first robot; a
-/// null id if the team is empty or not a queue.
+/// The first robot of a queue goes to its own goal, the others move up. Writes the id of the first
+/// robot: null if the team is empty or not a queue.
 AVO_C_API avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulation,
                                     avo_robot_id* robot);
 /// The robots go to their own goals again, and the team is empty.
