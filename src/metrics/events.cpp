@@ -111,7 +111,7 @@ void Events::State::observe_progress(const Simulation& simulation, std::size_t r
   const bool was_put_down = robot.moved > kPutDown * robot.max_speed * (now - time);
   if (has_new_goal || robot.at_goal || unreachable || was_put_down ||
       robot.made > kGetsOn * robot.preferred_speed * stuck_after ||
-      simulation.preferred_velocity(robot.id)) {
+      simulation.preferred_velocity(robot.id) || simulation.host_velocity(robot.id)) {
     robot.made = 0.0, robot.since = now, robot.stuck = false;
   } else if (!robot.stuck && now - robot.since >= stuck_after * (1.0 - kSumOfSteps)) {
     robot.stuck = true;
