@@ -188,6 +188,7 @@ void step(World& world) {
   if (!is_free) world.summary.is_fast = fast;
   world.torn = false;
   ++world.steps;
+  if (!world.fleet.bases.are_exact()) move_bases(world);
   if (!world.senses.are_exact()) {
     catch_up(world);
     world.senses.note(world.fleet, world.steps);
@@ -207,7 +208,6 @@ void Simulation::step() {
   if (decide_again(*state_)) state_->forget_robots();
   const std::size_t robots = state_->fleet.size();
   avo::step(*state_);
-  if (!state_->fleet.bases.are_exact()) move_bases(*state_);
   if (state_->fleet.size() != robots) state_->forget_robots();
 }
 
