@@ -26,7 +26,8 @@ struct StepSpan {
 /// Pairs by their names; distinct ones over the run.
 struct Encounters {
   using Pairs = std::set<std::pair<std::uint64_t, std::uint64_t>>;
-  Pairs collided = {}, one_sided = {}, with_mover = {}, with_mover_in_motion = {};
+  Pairs collided = {}, one_sided = {}, one_sided_in_motion = {}, with_mover = {},
+        with_mover_in_motion = {};
   std::optional<double> min_clearance = {};         // m, of robots that avoid each other
   std::optional<double> first_collision_time = {};  // s, of such robots
   double overlap_depth = 0.0;                       // the deepest, as a part of r_A + r_B

@@ -52,6 +52,7 @@ void add_encounters(const Encounters& encounters, RunSummary& summary) {
   summary.min_clearance = encounters.min_clearance;
   summary.collision_pairs = number(encounters.collided);
   summary.one_sided_collisions = number(encounters.one_sided);
+  summary.one_sided_collisions_in_motion = number(encounters.one_sided_in_motion);
   summary.mover_collisions = number(encounters.with_mover);
   summary.mover_collisions_in_motion = number(encounters.with_mover_in_motion);
   summary.metrics.collision_robot_steps = encounters.collision_robot_steps;

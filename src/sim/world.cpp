@@ -140,7 +140,7 @@ FleetSummary summary_of(const World& world) {
   FleetSummary summary{.is_valid = world.sensing_radius <= kFarthestTrusted};
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
     const RobotTraits& traits = fleet.traits[slot];
-    if (fleet.conduct[slot].parked) ++summary.parked;
+    if (!fleet.decides(slot)) ++summary.idle;
     summary.exceeds = summary.exceeds || traits.exceeds;
     summary.is_fast = summary.is_fast || world.is_fast(slot);
     summary.is_valid =

@@ -92,10 +92,10 @@ enum class Shares : std::uint8_t {
 
 /// What holds for some robots of the fleet, or for all.
 struct FleetSummary {
-  std::size_t parked = 0;  // robots
-  bool exceeds = false;    // some accelerate by more than their max_acceleration
-  bool is_valid = false;   // all were valid when they came
-  bool is_fast = false;    // some exceed their max_speed
+  std::size_t idle = 0;   // robots that do not decide: parked, or moved by the host
+  bool exceeds = false;   // some accelerate by more than their max_acceleration
+  bool is_valid = false;  // all were valid when they came
+  bool is_fast = false;   // some exceed their max_speed
 };
 FleetSummary summary_of(const World& world);
 

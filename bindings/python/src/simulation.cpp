@@ -256,6 +256,12 @@ void bind_inventory(SimulationClass& simulation) {
           },
           arg("id"), "(x, y), m/s, that the host gave to the robot; else None.")
       .def(
+          "host_velocity",
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.host_velocity(robot_id(id)); });
+          },
+          arg("id"), "(x, y), m/s, by which the host moves the robot; else None.")
+      .def(
           "index_of",
           [](SharedSimulation& self, std::int64_t id) {
             return self.briefly([&](const Simulation& s) { return s.index_of(robot_id(id)); });

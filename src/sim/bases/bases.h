@@ -64,7 +64,12 @@ struct Bases {
   void put_down(std::size_t rank, Vec2 position);
 };
 
-/// The scene of the references: robots with larger radii, and bases that execute exactly.
+/// How wrong others are about the reference of a robot of the scene whose body they sense exactly.
+/// Zero where robots tell each other their references.
+SensingError body_error(const Scenario& scenario);
+
+/// The scene of the references: robots with larger radii, and bases that execute exactly. Where
+/// bodies are sensed, it declares how wrong that is.
 Scenario with_references(const Scenario& scenario);
 
 /// The bodies of its robots, which are numbered from 0 on.

@@ -118,6 +118,12 @@ std::optional<Vec2> Simulation::preferred_velocity(RobotId robot) const {
   return fleet.told_velocity(fleet.find(robot));
 }
 
+std::optional<Vec2> Simulation::host_velocity(RobotId robot) const {
+  const Fleet& fleet = state_->fleet;
+  const HostMotion* motion = fleet.moved_by_host(fleet.find(robot));
+  return motion != nullptr && !motion->ends ? std::optional(motion->velocity) : std::nullopt;
+}
+
 StaticObstacleView Simulation::obstacles() const {
   return {state_->statics.id, state_->statics.obstacles};
 }

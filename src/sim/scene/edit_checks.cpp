@@ -109,6 +109,8 @@ void check_declared(const World& world, const RobotSetup& setup, RobotId robot) 
   const SensingError& declared = options.sensing_error;
   if (options.certificate != Certificate::braking_trajectories) return;
   Scenario scene = world.settings;
+  scene.execution = world.fleet.bases.model;
+  scene.execution_error = world.fleet.bases.declared;
   const auto needed_by = [&scene](const RobotSetup& one) {
     scene.robots.assign(1, one);
     return declared_error(scene);

@@ -33,6 +33,8 @@ void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot);
 void look_around_starts(World& world);
 /// Refuses a start that breaks the assumptions of the certificate, unless the scene allows it.
 void check_start(const World& world, const RobotSetup& setup, RobotId robot);
+/// Returns whether a robot in motion would not be able to keep clear of this robot, which rests.
+bool is_in_the_way(World& world, const RobotSetup& setup, RobotId robot);
 /// Refuses a moving obstacle of which some robot could not keep clear, unless the scene allows it.
 void check_mover_start(const World& world, const MovingObstacle& obstacle, const PathWalk& start,
                        const std::string& name);

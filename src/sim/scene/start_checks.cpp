@@ -240,6 +240,18 @@ void check_mover_start(const World& world, const MovingObstacle& obstacle, const
   }
 }
 
+bool is_in_the_way(World& world, const RobotSetup& setup, RobotId robot) {
+  look_around_starts(world);
+  if (world.settings.allow_broken_assumptions || !world.all_matter()) return false;
+  std::vector<std::size_t> others = others_near(world, setup, robot);
+  std::erase_if(others, [&](std::size_t slot) { return world.fleet.velocity[slot] == Vec2{}; });
+  StartCompany company(world, setup, robot, std::move(others));
+  company.scene.moving_obstacles.clear();
+  BrokenAssumptions broken;
+  find_starts_of_first(company.scene, certificate_law(world.certified_planner()), 0.0, broken);
+  return !broken.starts.empty();
+}
+
 void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
   std::vector<std::size_t> others = others_near(world, setup, robot);

@@ -130,10 +130,12 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
 
 bool append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
   const Snapshot& snapshot = world.snapshot;
+  const bool is_exact = world.fleet.bases.are_exact();
   const auto present_at = [&](std::size_t place, int rank) {
-    return Present{snapshot.grid.order()[place],
-                   static_cast<std::size_t>(rank),
-                   {snapshot.grid.position(place), snapshot.sensed[place].velocity}};
+    const std::size_t other = snapshot.grid.order()[place];
+    const PastState state{snapshot.grid.position(place), snapshot.sensed[place].velocity};
+    return Present{other, static_cast<std::size_t>(rank),
+                   is_exact ? state : body_of(world.fleet, other)};
   };
   const Found& hits = worker.search.results[query];
   worker.seen.clear();
@@ -145,7 +147,7 @@ bool append_sighted(const World& world, std::size_t slot, std::size_t query, Wor
                     static_cast<std::size_t>(world.fleet.rank[slot]),
                     {world.fleet.position[slot], world.fleet.velocity[slot]}};
   NeighborColumns& to = worker.tile.neighbors;
-  const bool may_be_usual = world.movers.setup.empty() && worker.sources == nullptr;
+  const bool may_be_usual = is_exact && world.movers.setup.empty() && worker.sources == nullptr;
   if (may_be_usual && append_as_they_are(world, own, worker.seen, to)) return true;
   std::span<const NeighborHit> movers;
   if (!world.movers.setup.empty()) {

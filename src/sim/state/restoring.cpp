@@ -43,6 +43,14 @@ void take_told(const SavedState& state, Fleet& fleet) {
     fleet.told[static_cast<std::size_t>(fleet.rank[fleet.find({told.robot})])] = told.velocity;
 }
 
+void take_host_motions(const SavedState& state, Fleet& fleet) {
+  if (state.host_motions.empty()) return;
+  fleet.host_motion.resize(fleet.size());
+  for (const SavedHostMotion& saved : state.host_motions)
+    fleet.host_motion[static_cast<std::size_t>(fleet.rank[fleet.find({saved.robot})])] =
+        saved.motion;
+}
+
 // Makes the fleet. The paces are the world's.
 Fleet fleet_of(const SavedState& state, World& world) {
   Fleet fleet;
@@ -183,6 +191,7 @@ void restore(const SavedState& state, World& world) {
   require_same_scene(state, world);
   Fleet fleet = fleet_of(state, world);
   take_told(state, fleet);
+  take_host_motions(state, fleet);
   fleet.bases = state.bases;
   add_clocks(state, fleet);
   Senses senses = senses_of(state, fleet, world.planner().options().longest_step);

@@ -124,6 +124,22 @@ void check_told(const SavedState& state) {
   }
 }
 
+// The host moves robots of common clocks that have no heading and avoid nobody, each once.
+void check_host_motions(const SavedState& state) {
+  std::size_t k = 0;  // ids ascend in both
+  for (const auto& [id, motion] : state.host_motions) {
+    while (k < state.robots.size() && state.robots[k].id.value < id) ++k;
+    const bool is_known = k < state.robots.size() && state.robots[k].id.value == id;
+    const RobotSetup setup = is_known ? state.scene.robots[k] : RobotSetup{};
+    if (!is_known || setup.parked || !is_holonomic(setup.model) || setup.avoids.bits != 0 ||
+        state.scene.clock == Clock::free || !state.bases.are_exact())
+      refuse_saved("a velocity of robot " + std::to_string(id), "one of a robot that hosts move");
+    if (!kAnyValue.contains(motion.velocity.x) || !kAnyValue.contains(motion.velocity.y))
+      refuse_saved("a velocity that is not finite", "finite");
+    ++k;
+  }
+}
+
 // For a robot that may move in any manner within its step, the step must be valid.
 void check_clocks(const SavedState& state) {
   if (state.scene.clock != Clock::free) return;
@@ -199,6 +215,7 @@ void check_states(const SavedState& state) {
     check_id(robot.id.value, state.next_id);
   }
   check_told(state);
+  check_host_motions(state);
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const SavedRobot& robot = state.robots[k];
     if (!state.scene.robots[k].parked) continue;

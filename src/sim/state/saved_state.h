@@ -13,6 +13,7 @@
 #include "guidance/routes.h"
 #include "robots/motion.h"
 #include "sim/bases/bases.h"
+#include "sim/columns/fleet.h"
 #include "sim/sensing/senses.h"
 
 namespace avo::inline sim {
@@ -32,6 +33,12 @@ static_assert(sizeof(SavedRobot) == 72, "it says so in avo/simulation.h");
 struct SavedTold {
   std::uint64_t robot = 0;  // id
   Vec2 velocity;            // m/s
+};
+
+/// The motion of a robot that the host moves.
+struct SavedHostMotion {
+  std::uint64_t robot = 0;  // id
+  HostMotion motion;
 };
 
 /// The part of a robot's route around walls that steps change.
@@ -76,7 +83,8 @@ struct SavedState {
   std::vector<SavedFlight> flights;         // of the robots that fly, in their order
   std::vector<MovingObstacleId> mover_ids;  // ascending, as many as the scene has moving obstacles
   std::uint64_t next_mover = 0;
-  std::vector<SavedTold> told;            // by ascending id
+  std::vector<SavedTold> told;                // by ascending id
+  std::vector<SavedHostMotion> host_motions;  // by ascending id
   std::vector<std::vector<Knot>> tracks;  // of the robots, where senses are by time, oldest first
   Bases bases;  // where bases do not execute exactly; the scene is that of the references then
 };

@@ -48,6 +48,8 @@ SavedState saved_state(const World& world) {
     if (fleet.has_stood[slot] != 0) state.stood.push_back(fleet.id[slot].value);
     if (const auto told = fleet.told_velocity(slot))
       state.told.push_back({fleet.id[slot].value, *told});
+    if (const HostMotion* motion = fleet.moved_by_host(slot))
+      state.host_motions.push_back({fleet.id[slot].value, *motion});
     if (const Flight* flight = fleet.flight(slot))
       state.flights.push_back({flight->circle, flight->has_arrived});
     if (!fleet.has_clocks) continue;
