@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One decision of a robot and all its inputs, as `avo explain --json` gives them (docs/scenes.md), in SI units.
+// One decision of a robot and all its inputs, as `avo explain --json` gives them (docs/command_line.md), in SI units.
 
 /** x, y */
 export type Vec = readonly [number, number];
