@@ -11,8 +11,7 @@ const STEPS_BETWEEN_IMAGES = 256;
 /** m: beyond all obstacles; the scene of a single obstacle needs a robot. */
 const FAR = "[1e6, 1e6]";
 
-/** What a scene of space does not have throws AvoError there: edits, outlines(), admitted(), brakingPaths(),
- * carriedInto(). */
+/** What a scene of space does not have throws AvoError there: edits, outlines(), admitted(), carriedInto(). */
 export class Simulation {
   readonly dimensions: Dimensions;
   #module: WebAssembly.Module;
@@ -120,6 +119,16 @@ export class Simulation {
     return this.#read(() => {
       put(this.#instance, new Uint8Array(Float64Array.of(...place, ...along, ...across, ...box).buffer));
       return get(this.#instance, this.#instance.functions["admitted_in_cut"]!(robot, columns, rows));
+    });
+  }
+
+  /** Returns the rings of the boundary of the obstacle of "robots.I" or "moving_obstacles.K" in space, Eq. (29). The cut
+   * has to be the plane of p and v of the two. There are none with downwash, nor for a moving obstacle that accelerates. */
+  outlineInCut(robot: number, other: string, { place, along, across }: VelocityCut, box: Box): [number, number][][] {
+    return this.#read(() => {
+      put(this.#instance, new Uint8Array(Float64Array.of(...place, ...along, ...across, ...box).buffer));
+      const [kind, number] = other.split(".");
+      return JSON.parse(this.#text("outline_in_cut", robot, Number(number), kind === "robots" ? 0 : 1)) as [number, number][][];
     });
   }
 

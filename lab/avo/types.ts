@@ -227,7 +227,7 @@ export interface Outline {
   rings: [number, number][][];
 }
 
-/** Centers of the disc while it brakes, x and y in turn, from step to step. */
+/** Centers of the disc or ball while it brakes, from step to step: x and y in turn, in space x, y and z. */
 export interface BrakingPath {
   of: string;
   points: number[]; // m

@@ -120,6 +120,9 @@ Takeover taken_over_by(const avo::Scenario& text);
 /// Takeover.
 void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on);
 
+/// See braking_paths().
+std::size_t space_braking_paths(const SpaceRun& space, std::uint32_t robot);
+
 // What the host asks of a run of either kind. Texts are JSON.
 Columns moment_of(const PlaneRun& run);  ///< see moment()
 Columns moment_of(const SpaceRun& run);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "avo/planner.h"
@@ -120,6 +121,7 @@ AVO_EXPORT(std::size_t, admitted)
 /// Returns JSON: the paths of the robot and of the neighbors that it sees if they brake now, from
 /// step to step. Airplanes circle, and moving obstacles move on for as long as the robot brakes.
 AVO_EXPORT(std::size_t, braking_paths)(std::uint32_t robot) {
+  if (const auto* space = std::get_if<SpaceRun>(&run())) return space_braking_paths(*space, robot);
   const avo::Simulation& simulation = *plane().simulation;
   const avo::Simulation::Perception seen = simulation.perceive({robot});
   const avo::StepLaw law = avo::certificate_law(simulation.planner({robot})).step;

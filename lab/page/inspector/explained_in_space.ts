@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The decision of a robot in space at the present moment, and the cut through its velocity space.
-import type { SceneInfo, Simulation } from "../../avo/avo.ts";
+import type { SceneInfo, Simulation, VelocityCut } from "../../avo/avo.ts";
 import { digits } from "../frame/elements.ts";
 import { dot3, norm3, times3, type Vec3 } from "../map/vec3.ts";
 import { besidePlane, cutBall, cutHalfSpace, cutOfNobody, cutOfPair, inPlane, type CutPlane } from "./cut.ts";
@@ -9,7 +9,7 @@ import type { Explained } from "./explained.ts";
 import type { SpaceSource } from "./space_canvas.ts";
 import type { Cause, SpaceDecision } from "./space_decision.ts";
 import { neighborTableInSpace, numbersTableInSpace } from "./space_tables.ts";
-import type { Admitted } from "./velocity_space.ts";
+import type { Admitted, Outline } from "./velocity_space.ts";
 import type { Box } from "./velocity_view.ts";
 import { lawOf, type Cut } from "./why.ts";
 
@@ -27,7 +27,11 @@ export function explainedInSpace(simulation: Simulation, info: SceneInfo, robot:
       const neighbor = neighborToCut(decision, pointed);
       const plane = (neighbor === null ? null : cutOfPair(decision, neighbor)) ?? cutOfNobody(decision);
       const admitted = (box: Box): Admitted | null => admittedIn(simulation, info, decision, plane, box, quick ? COARSE : FINE);
-      return { source: { ...sourceOf(decision, info, plane, neighbor), admitted }, note: noteOf(decision, plane, neighbor) };
+      const outlines = (box: Box): Outline[] => {
+        const of = neighbor === null ? null : nameOf(neighbor);
+        return of === null ? [] : [{ of, rings: simulation.outlineInCut(robot, of, cutOfVelocities(plane), box) }];
+      };
+      return { source: { ...sourceOf(decision, info, plane, neighbor), outlines, admitted }, note: noteOf(decision, plane, neighbor) };
     },
     numbers: () => numbersTableInSpace(decision),
     neighbors: (lab) => neighborTableInSpace(lab, decision),
@@ -42,7 +46,7 @@ function neighborToCut({ neighbors, trace }: SpaceDecision, pointed: string | nu
   return named ?? [...trace.binding, ...trace.refusing, ...trace.refusing_detour, trace.heeded].find(senses) ?? sensed[0] ?? null;
 }
 
-function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, neighbor: Source | null): Omit<SpaceSource, "admitted"> {
+function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, neighbor: Source | null): Pick<SpaceSource, "space"> {
   const vertical = info.robots.find(({ robot }) => robot === decision.robot)?.vertical ?? 1;
   const { velocity, preferred_velocity, new_velocity, next_velocity, max_acceleration, max_speed } = decision;
   const acceleration_disc = cutBall(plane, velocity, info.options.control_time * max_acceleration, vertical);
@@ -67,15 +71,15 @@ function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, nei
       why: { cuts, next: inPlane(plane, next_velocity) },
       axes: neighbor === null ? ["forwards, in m/s", "upwards, in m/s"] : [`away from ${shortLabelOf(nameOf(neighbor))}, in m/s`, "across, in m/s"],
     },
-    outlines: () => [],
   };
 }
+
+const cutOfVelocities = ({ normal, offset, along, across }: CutPlane): VelocityCut => ({ place: times3(offset, normal), along, across });
 
 function admittedIn(simulation: Simulation, info: SceneInfo, { robot }: SpaceDecision, plane: CutPlane, box: Box, columns: number): Admitted | null {
   if (info.options.certificate === "none") return null;
   const rows = Math.max(2, Math.round(columns * (box[3] - box[1]) / (box[2] - box[0])));
-  const { along, across } = plane;
-  const cells = simulation.admittedInCut(robot, { place: times3(plane.offset, plane.normal), along, across }, box, columns, rows);
+  const cells = simulation.admittedInCut(robot, cutOfVelocities(plane), box, columns, rows);
   return { box, columns, rows, cells };
 }
 

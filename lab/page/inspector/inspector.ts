@@ -156,7 +156,7 @@ function tools(space: SpaceCanvas): HTMLElement {
   const button = (label: string, title: string, act: () => void): HTMLElement =>
     element("button", { type: "button", title, onclick: act }, label);
   const layer = (key: "obstacles" | "certificate", label: string, title: string): HTMLElement => {
-    const toggle = element("button", { type: "button", class: key === "obstacles" ? "of-the-plane" : "", title, "aria-pressed": "true" }, label);
+    const toggle = element("button", { type: "button", title, "aria-pressed": "true" }, label);
     toggle.addEventListener("click", () => {
       space.layers[key] = !space.layers[key];
       toggle.setAttribute("aria-pressed", String(space.layers[key]));
@@ -177,7 +177,7 @@ function legend(): HTMLElement {
     element("span", { class: `insp-key ${of}` }, element("i", { class: `insp-swatch insp-${kind}` }), label);
   return element("div", { class: "insp-legend" }, entry("chosen", "may be chosen"), entry("forbidden", "forbidden"),
     entry("admitted", "certificate admits"),
-    entry("binding", "binding half-plane", "of-the-plane"), entry("binding", "binding half-space", "of-space"), entry("outline", "obstacle, Eq. (29)", "of-the-plane"));
+    entry("binding", "binding half-plane", "of-the-plane"), entry("binding", "binding half-space", "of-space"), entry("outline", "obstacle, Eq. (29)"));
 }
 
 /** Returns the robot with the nearest neighbor: its decision is interesting. */

@@ -4,6 +4,7 @@ import type { BrakingPath, Moment, Simulation } from "../../avo/avo.ts";
 import type { Rgb } from "./colors.ts";
 import { simulationFor } from "../inspector/inspector.ts";
 import type { PageLab } from "../run/make_lab.ts";
+import { vectorOf } from "./discs.ts";
 import type { Shown } from "./shown.ts";
 import { disc, FORM, line, ring, type Layers, type Paint } from "./world_layers.ts";
 
@@ -15,7 +16,6 @@ let known: Known | null = null;  // for the last requested moment
 function brakingPaths(lab: PageLab, robot: number): BrakingPath[] {
   const { live, moment } = lab;
   if (known && known.live === live && known.moment === moment && known.robot === robot) return known.paths;
-  if (moment.dimensions === 3) return [];
   if (!live && lab.playing) return [];  // each row of a recording would need a simulation
   let paths: BrakingPath[] = [];
   try {
@@ -45,12 +45,19 @@ function drawSelected(layers: Layers, lab: PageLab, shown: Shown, row: number, p
   const [vx, vy] = [shown.velocity[2 * row]!, shown.velocity[2 * row + 1]!];
   line(layers.links, x, y, x + vx, y + vy, paint.ink, 1, 0, 1.2);
   brakingPaths(lab, moment.robot[row]!).forEach(({ of, points, radius }, k) => {
-    drawBraking(layers, points, radius, k === 0 ? paint.accent : paint.mover, k === 0);
+    if (k > 0 && moment.dimensions === 3 && of !== lab.highlighted) return;  // in space, many are in line
+    drawBraking(layers, inPicture(points, shown), radius, k === 0 ? paint.accent : paint.mover, k === 0);
     const at = k > 0 && of.startsWith("robots.") ? moment.robot.indexOf(Number(of.slice("robots.".length))) : -1;
     if (at < 0) return;
     line(layers.links, x, y, shown.x[at]!, shown.y[at]!, paint.accent, 0.22, 0, 0.6);
     disc(layers.above, shown.x[at]!, shown.y[at]!, shown.radius[at]! + 0.1, paint.accent, 0.6, { form: FORM.ring, outline: 1, least: 4 });
   });
+}
+
+/** Returns x and y in turn of places in the picture. */
+function inPicture(points: number[], { moment, project }: Shown): number[] {
+  if (moment.dimensions === 2) return points;
+  return Array.from({ length: points.length / 3 }, (_, k) => project(...vectorOf(points, 3, k)).slice(0, 2)).flat();
 }
 
 /** Draws the path to rest, and the disc there. */

@@ -86,6 +86,7 @@ test("a click selects the ball in front, and the inspector has the words of avo 
   const other = told.neighbors[3].neighbor;
   await lab.page.locator(`tr[data-name="robots.${other}"]`).hover();
   await lab.page.getByText(`in the plane of p and v of robot ${other}.`).waitFor();
+  assert.ok(await lab.page.getByRole("button", { name: "Obstacles" }).isVisible());
 });
 
 test("back and forth leads to the bits of the command line; a change begins anew", async () => {

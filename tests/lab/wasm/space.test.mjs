@@ -4,6 +4,8 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { test } from "node:test";
+import { cutOfPair } from "../../../lab/page/inspector/cut.ts";
+import { dot3, minus3, norm3, plus3, times3 } from "../../../lab/page/map/vec3.ts";
 import { library, native, refused, steps } from "./module.mjs";
 
 const EXAMPLES = new URL("../examples/space/", `file://${process.env.AVO_LAB}`);
@@ -110,6 +112,60 @@ test("the certificate admits what the decision takes, and nothing beyond one ste
   assert.ok(refusedNodes > 20, `${refusedNodes} velocities within limits are refused`);
 });
 
+// A half-space takes half of what the obstacle demands, as all robots are alike. Its normal is that of least support.
+test("the half-space of a neighbor touches its obstacle, which lies beyond it", () => {
+  const simulation = steps(library.simulate(DRONES.replace(", vertical: 0.7, downwash: 1.2", "")), 25);
+  const step = 4 / 1000;  // m/s: outlines are as exact
+  let found = 0;
+  for (let robot = 0; robot < 30; robot += 3) {
+    const decision = JSON.parse(simulation.explain(robot));
+    for (const { neighbor, normal, offset } of decision.half_spaces) {
+      const plane = cutOfPair(decision, neighbor);
+      const cut = { place: times3(plane.offset, plane.normal), along: plane.along, across: plane.across };
+      const [x, y] = [plane.along, plane.across].map((axis) => dot3(decision.velocity, axis));
+      const rings = simulation.outlineInCut(robot, `robots.${neighbor}`, cut, [x - 4, y - 4, x + 4, y + 4]);
+      const demands = 2 * (offset - dot3(normal, decision.velocity));  // m/s
+      // within reach, D(v, δ a_max)
+      const reaches = rings.flat().map(([a, b]) => minus3(plus3(cut.place, plus3(times3(a, cut.along), times3(b, cut.across))), decision.velocity))
+        .filter((w) => norm3(w) <= 2 * 1.0).map((w) => dot3(normal, w));
+      if (reaches.length === 0) continue;
+      const most = Math.max(...reaches);
+      assert.ok(most <= demands + 4 * step, `robot ${robot}, ${neighbor}: ${most} ${demands}`);
+      if (most > demands - 4 * step) ++found;
+    }
+  }
+  assert.ok(found > 30, `${found} obstacles are touched`);
+});
+
+test("there is no outline with downwash, of nobody, nor of what accelerates", () => {
+  const outline = (simulation, other) => simulation.outlineInCut(0, other, { place: [0, 0, 0], along: [1, 0, 0], across: [0, 0, 1] }, [-3, -3, 3, 3]);
+  assert.deepEqual(outline(library.simulate(DRONES), "robots.1"), []);
+  const two = (more) => library.simulate(`version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 0], goal: [9, 0, 0]}\nmoving_obstacles:\n  - {position: [3, 0, 0]${more}}\n`);
+  assert.deepEqual(outline(two(""), "robots.1"), []);
+  assert.deepEqual(outline(two(", acceleration: [0, 0, 0.1]"), "moving_obstacles.0"), []);
+  const [ring] = outline(two(""), "moving_obstacles.0");
+  assert.ok(ring.length > 20 && ring.every(([x]) => x > 0.5), "the robot may stay");
+});
+
+test("braking paths end at rest, after as long a way as the limits ask for", () => {
+  const simulation = steps(library.simulate(SCENES.helicopter), 120);
+  const { position, velocity } = simulation.moment();
+  const [own, ...others] = simulation.brakingPaths(0);
+  assert.equal(own.of, "robots.0");
+  assert.equal(others.at(-1).of, "moving_obstacles.0");
+  for (const { of, points, radius } of [own, ...others.slice(0, -1)]) {
+    const robot = Number(of.slice("robots.".length)), of3 = (from, k) => [...from.slice(3 * k, 3 * k + 3)];
+    const way = minus3(of3(points, points.length / 3 - 1), of3(position, robot)), speed = norm3(of3(velocity, robot));
+    assert.deepEqual([points.slice(0, 3), radius], [of3(position, robot), 0.4]);
+    // the mean speed of each step: as in continuous time at 1 m/s², and a little more
+    assert.ok(norm3(way) >= speed ** 2 / 2 - 1e-9 && norm3(way) <= speed ** 2 / 2 + 0.00126, `${of}: ${norm3(way)} from ${speed}`);
+    assert.ok(dot3(way, of3(velocity, robot)) > (1 - 1e-9) * norm3(way) * speed);
+  }
+  assert.equal(others.at(-1).points.length, own.points.length);
+  const flat = steps(library.simulate("version: 1\nspace: 3\nrobots:\n  - {position: [0, 0, 0], velocity: [0, 0, 1], goal: [0, 0, 9], vertical: 0.5}\n"), 0);
+  assert.ok(Math.abs(flat.brakingPaths(0)[0].points.at(-1) - 1.0) < 1e-9, "1 m/s upwards, at 0.5 m/s²");
+});
+
 test("contacts: two balls, the air below a ball, a box", () => {
   const none = "certificate: none\nnavigation: false\n";
   const drive = (robots, more = "") => {
@@ -129,7 +185,7 @@ test("contacts: two balls, the air below a ball, a box", () => {
 test("what space does not have is refused, and so is what is wrong", () => {
   const simulation = library.simulate(DRONES);
   const place = "space: found 3, must be 2 for this";
-  for (const asked of [() => simulation.setGoal(0, 1, 1), () => simulation.brakingPaths(0), () => simulation.admitted(0, [0, 0, 1, 1], 2, 2),
+  for (const asked of [() => simulation.setGoal(0, 1, 1), () => simulation.admitted(0, [0, 0, 1, 1], 2, 2),
     () => simulation.outlines(0, [0, 0, 1, 1]), () => simulation.removeRobot(0)]) assert.equal(refused(asked), place);
   assert.match(refused(() => simulation.carriedInto(DRONES)), /space: found 3, must be 2 for a text that takes over/);
   assert.match(refused(() => library.simulate(DRONES.replace("space: 3", "space: 4"), { name: "a.yaml" })), /^a\.yaml:2:8: space: found 4, must be 2 or 3$/);

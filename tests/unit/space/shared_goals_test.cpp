@@ -13,6 +13,7 @@
 #include "avo/space/check.h"
 #include "avo/space/explanation.h"
 #include "avo/space/simulation.h"
+#include "core/executor.h"
 #include "unit/space/draws.h"
 #include "unit/space/runs.h"
 
@@ -197,6 +198,41 @@ TEST(SharedGoalsInSpace, differ_and_overlap) {
     Draws draws(seed + 100);
     for (RobotSetup& robot : scene.robots) robot.goal = draws.within(2.0);
     expect_rest(scene);
+  }
+}
+
+// Crowds of 15 with goals that overlap, some of them the same, beside robots with goals of their
+// own.
+Scenario crowds(std::uint64_t seed) {
+  Scenario scene;
+  Draws draws(seed);
+  for (int k = 0; k < 300; ++k) {
+    RobotSetup& robot = scene.robots.emplace_back();
+    const Vec3 middle{8.0 * (k / 15 % 5), 8.0 * (k / 75), 0.0};
+    robot.position = {2.0 * (k % 20), 2.0 * (k / 20), 8.0};
+    robot.goal = middle + (k % 3 == 0 ? Vec3{} : draws.within(1.6));
+  }
+  return scene;
+}
+
+TEST(SharedGoalsInSpace, are_the_same_whatever_the_number_of_threads) {
+  for (const bool is_noisy : {false, true}) {
+    SCOPED_TRACE(is_noisy);
+    Scenario scene = crowds(2);
+    ASSERT_GE(scene.robots.size(), kFewestParallel);
+    if (is_noisy) scene.sensing.noise.position = 0.01, scene.sensing.delay = 1;
+    Simulation one(scene, 1), three(scene, 3);
+    int stay = 0;
+    for (int k = 0; k < 140; ++k) {
+      one.step(), three.step();
+      ASSERT_EQ(one.state_hash(), three.state_hash()) << "step " << k;
+      for (std::size_t r = 0; r < one.size(); ++r) {
+        ASSERT_EQ(one.is_at_goal({r}), three.is_at_goal({r})) << "robot " << r << ", step " << k;
+        const bool is_far = norm(one.robots()[r].position - one.goal({r})) > scene.arrival_distance;
+        stay += is_far && one.is_at_goal({r}) ? 1 : 0;
+      }
+    }
+    EXPECT_GT(stay, is_noisy ? 0 : 100) << "robots rest at places near their goals";
   }
 }
 
