@@ -358,6 +358,16 @@ def test_what_is_known_of_a_mover_keeps_robots_out_of_its_way():
         avo.Trajectory([(0, 0, 0)], repeats_from=1)
 
 
+def test_walls_are_known_by_the_ids_of_their_obstacles():
+    scene = avo.Scenario.from_yaml(
+        "version: 1\nobstacles: [{polyline: [[9, -9], [9, 9]]}, {polyline: [[-3, -9], [-3, 9], [-4, 9]]}]\n"
+        "robots: [{position: [0, 3], goal: [0, 3], parked: true}, {position: [0, 0], goal: [0, 0]}]\n")
+    seen = avo.Simulation(scene).perceive(1)
+    assert len(seen.walls) == len(seen.wall_source) and {1, -1} <= set(seen.wall_source)
+    by_source = dict(zip(seen.wall_source, seen.walls))
+    assert by_source[-1].a == (0, 3) and by_source[1].a[0] < 0
+
+
 def test_what_is_perceived_of_paths_outlives_the_simulation():
     cart = {"position": [0, -4], "velocity": [0, 1], "max_deviation": 1, "max_speed": 1.5, "path": [[0, 4], [0, -4]]}
     scene = {"version": 1, "sensing_radius": 20, "robots": [{"position": [-5, 0], "goal": [5, 0]}],
