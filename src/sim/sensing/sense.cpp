@@ -49,7 +49,7 @@ Scrutiny look_at_outliers(const World& world, std::size_t a, std::size_t query, 
   const Fleet& fleet = world.fleet;
   const Outliers& outliers = world.outliers;
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  if (!world.obstacle_grid.gather(fleet.position[a], -1, 1, worker.obstacles).empty())
+  if (!world.mover_grid.gather(fleet.position[a], -1, 1, worker.movers).empty())
     return Scrutiny::everyone;
   if (outliers.robots.empty()) return outliers.usual;
   Scrutiny scrutiny = outliers.usual;

@@ -108,7 +108,7 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
   const std::size_t most =
       world.all_matter_to(slot) ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
   const std::span<const NeighborHit> obstacles =
-      world.obstacle_grid.gather(world.fleet.position[slot], -1, most, worker.obstacles);
+      world.mover_grid.gather(world.fleet.position[slot], -1, most, worker.movers);
   const std::size_t first = to.count;
   to.reserve(first + std::min(robots.size() + obstacles.size(), most));
   auto robot = robots.begin(), obstacle = obstacles.begin();
@@ -122,7 +122,7 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
       note(hit.index, worker);
     } else {
       const int index = (obstacle++)->index;
-      to.add(world.obstacles.sensed(static_cast<std::size_t>(index)));
+      to.add(world.movers.sensed(static_cast<std::size_t>(index)));
       note(-1 - index, worker);
     }
   }
@@ -145,12 +145,12 @@ bool append_sighted(const World& world, std::size_t slot, std::size_t query, Wor
                     static_cast<std::size_t>(world.fleet.rank[slot]),
                     {world.fleet.position[slot], world.fleet.velocity[slot]}};
   NeighborColumns& to = worker.tile.neighbors;
-  const bool may_be_usual = world.obstacles.setup.empty() && worker.sources == nullptr;
+  const bool may_be_usual = world.movers.setup.empty() && worker.sources == nullptr;
   if (may_be_usual && append_as_they_are(world, own, worker.seen, to)) return true;
   std::span<const NeighborHit> movers;
-  if (!world.obstacles.setup.empty()) {
+  if (!world.movers.setup.empty()) {
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-    movers = world.obstacle_grid.gather(world.fleet.position[slot], -1, kAll, worker.obstacles);
+    movers = world.mover_grid.gather(world.fleet.position[slot], -1, kAll, worker.movers);
   }
   look(world, own, worker.seen, movers, worker.sightings);
   to.reserve(to.count + worker.sightings.size());
