@@ -166,6 +166,7 @@ export interface RobotSetup {
   method?: string;
   time_horizon?: number; // s
   arrival_distance?: number; // m
+  start_time?: number; // s
   // scripts/fields end
   model?: RobotInfo["model"];
   heading?: number; // rad

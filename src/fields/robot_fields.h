@@ -63,6 +63,8 @@ AVO_LOCAL inline constexpr auto kFields<RobotSetup> = std::to_array<Field<RobotS
      "the scene's where it has its method, else what is customary", kDeciding},
     {"arrival_distance", &RobotSetup::arrival_distance, kOptional, kPositive, "m",
      "to its goal: it has arrived once it is that near", "the scene's", kDeciding, kWants},
+    {"start_time", &RobotSetup::start_time, kOptional, kNotNegative, "s",
+     "until then it stands at its start, and others pass it", "", kDeciding, kWants},
 });
 
 }  // namespace avo::inline fields

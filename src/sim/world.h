@@ -175,9 +175,17 @@ struct World {
   }
   const Routes& routes_of(std::size_t slot) const { return routes[floor_of(slot)]; }
   Routes& routes_of(std::size_t slot) { return routes[floor_of(slot)]; }
+  /// Returns whether the start_time of the robot is yet to come.
+  bool waits_to_start(std::size_t slot) const {
+    return !fleet.rare.empty() &&
+           avo::waits_to_start(fleet.rare[static_cast<std::size_t>(fleet.rank[slot])].start_time,
+                               time());
+  }
   /// m/s: what the robot prefers in place of a route to its goal; none where it goes to its goal.
-  std::optional<Vec2> steered(std::size_t slot) const { return fleet.told_velocity(slot); }
-  bool steers_some() const { return !fleet.told.empty(); }
+  std::optional<Vec2> steered(std::size_t slot) const {
+    return waits_to_start(slot) ? Vec2{} : fleet.told_velocity(slot);
+  }
+  bool steers_some() const { return !fleet.told.empty() || !fleet.rare.empty(); }
   bool has_routes() const;
   bool has_passages() const;  // on some floor
   /// m: the final target of the robot, its goal or the nearest place to it.

@@ -545,6 +545,7 @@ typedef struct avo_robot_def {
   double time_horizon;
   double arrival_distance;  ///< m, > 0, its own; 0: the simulation's
   avo_footprint footprint;  ///< of a car or a drive; discs 0: none
+  double start_time;        ///< s, >= 0; until then it stands at its start, and others pass it
 } avo_robot_def;
 
 /// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a
