@@ -40,6 +40,7 @@ struct Events::State {
     bool parked = false, at_goal = false, unreachable = false;
     bool stuck = false;                             // that is told
     double preferred_speed = 0.0, max_speed = 0.0;  // m/s
+    double start_time = 0.0;                        // s
     Vec2 goal = {}, position = {};                  // m
     double length = 0.0;                            // m, of its route
     double moved = 0.0;                             // m, since the observation before
@@ -77,6 +78,7 @@ void Events::State::take_roster(const Simulation& simulation) {
     Watched& robot = present.emplace_back(is_known ? *known++ : Watched{.id = fleet.id[row]});
     robot.parked = setup.parked;
     robot.preferred_speed = setup.preferred_speed, robot.max_speed = setup.max_speed;
+    robot.start_time = setup.start_time;
     if (is_known) continue;
     robot.goal = setup.goal, robot.position = setup.position;
     robot.length = simulation.route(robot.id).length, robot.since = simulation.time();
@@ -111,7 +113,7 @@ void Events::State::observe_progress(const Simulation& simulation, std::size_t r
   const bool was_put_down = robot.moved > kPutDown * robot.max_speed * (now - time);
   if (has_new_goal || robot.at_goal || unreachable || was_put_down ||
       robot.made > kGetsOn * robot.preferred_speed * stuck_after ||
-      simulation.preferred_velocity(robot.id)) {
+      waits_to_start(robot.start_time, now) || simulation.preferred_velocity(robot.id)) {
     robot.made = 0.0, robot.since = now, robot.stuck = false;
   } else if (!robot.stuck && now - robot.since >= stuck_after * (1.0 - kSumOfSteps)) {
     robot.stuck = true;

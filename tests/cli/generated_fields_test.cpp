@@ -27,9 +27,8 @@ constexpr const char* kWrites = "AVO_WRITE_FIELDS";  // set by scripts/fields
 template <class Visit>
 void for_each_of_robot(const Visit& visit) {
   const RobotSetup usual;
-  for_each_member(avo::kFields<RobotSetup>, [&](const RobotField& field, auto member) {
-    visit(field, usual.*member);
-  });
+  for_each_member(avo::kFields<RobotSetup>,
+                  [&](const RobotField& field, auto member) { visit(field, usual.*member); });
 }
 
 template <class Value>
@@ -67,8 +66,7 @@ std::string in_python(avo::LayerSet) {
   return "...";
 }
 template <class Word>
-  requires std::is_enum_v<Word>
-std::string in_python(Word word) {
+requires std::is_enum_v<Word> std::string in_python(Word word) {
   return fmt::format("\"{}\"", to_string(word));
 }
 template <class Value>
@@ -104,9 +102,9 @@ Lines changes_of_python() {
 Lines members_of_script() {
   Lines lines;
   for_each_of_robot([&](const RobotField& field, const auto& usual) {
-    lines.push_back(fmt::format("{}{}: {};{}{}", field.key,
-                                field.need == avo::kRequired ? "" : "?", type_of(usual).script,
-                                field.unit.empty() ? "" : " // ", field.unit));
+    lines.push_back(fmt::format("{}{}: {};{}{}", field.key, field.need == avo::kRequired ? "" : "?",
+                                type_of(usual).script, field.unit.empty() ? "" : " // ",
+                                field.unit));
   });
   return lines;
 }
@@ -127,8 +125,7 @@ std::string in_words(avo::LayerSet set) {
   return "[" + list + "]";
 }
 template <class Word>
-  requires std::is_enum_v<Word>
-std::string in_words(Word word) {
+requires std::is_enum_v<Word> std::string in_words(Word word) {
   return fmt::format("`{}`", to_string(word));
 }
 template <class Value>
@@ -213,8 +210,10 @@ TEST(GeneratedFields, files_follow_from_the_table) {
     if (std::getenv(kWrites) != nullptr && !HasFailure() && present != text)
       write_file(path, present);
     else
-      EXPECT_EQ(text, present) << block.file << ": " << block.name
-                               << " are not those of src/fields, run scripts/fields";
+      EXPECT_TRUE(text == present)
+          << block.file << ": \"" << block.name
+          << "\" do not follow from src/fields, run scripts/fields. They have to be\n"
+          << fmt::format("{}", fmt::join(block.lines, "\n"));
   }
 }
 

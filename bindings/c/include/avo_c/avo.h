@@ -220,7 +220,7 @@ enum {
   AVO_GUIDE_BACK = 3,     ///< away from its goal, out of a jam
   AVO_GUIDE_MOVER = 4,    ///< beside a mover at rest that stands on its goal
   AVO_GUIDE_PLACE = 5,    ///< to a place near its goal, which others share or stand on
-  AVO_GUIDE_HOST = 6      ///< to what the host says
+  AVO_GUIDE_HOST = 6      ///< to what the host says; nowhere before its start_time
 };
 
 /// What is proved of a state before a decision.

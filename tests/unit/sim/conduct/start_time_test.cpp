@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "avo/events.h"
+#include "avo/explanation.h"
+#include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "support/refusal.h"
 #include "unit/navigation/buildings.h"
@@ -162,6 +165,36 @@ TEST(StartTime, holds_whatever_the_host_says_and_may_be_changed) {
   run_until(simulation, 7.0);
   EXPECT_EQ(simulation.fleet().position[0].x, 0.0);
   EXPECT_GT(simulation.fleet().position[0].y, 0.5);
+}
+
+TEST(StartTime, is_told_and_no_robot_is_stuck_before) {
+  Simulation simulation(scene_of({starting_at(7.5, {0, 0}, {9, 0})}), 1);
+  Events events(simulation, {.stuck_after = 1.0});
+  EXPECT_EQ(simulation.explain({0}).sentence,
+            "Robot 0 stays at rest: it starts at 7.5 s. Braking keeps clear of all others (safe).");
+  while (simulation.time() < 20.0) {
+    simulation.step();
+    for (const Event& event : events.observe(simulation))
+      EXPECT_EQ(event.kind, EventKind::arrived) << simulation.time();
+  }
+  EXPECT_EQ(simulation.explain({0}).sentence.find("starts at"), std::string::npos);
+}
+
+// Metrics do not know the time before.
+TEST(StartTime, begins_the_trip) {
+  const Scenario at_once = scene_of({robot_at({0, 0}, {9, 0})});
+  const Scenario later = scene_of({starting_at(5.05, {0, 0}, {9, 0})});
+  const auto measured = [](const Scenario& scene) {
+    Simulation simulation(scene, 1);
+    Metrics metrics(scene);
+    metrics.observe(simulation);
+    while (simulation.time() < 20.0) simulation.step(), metrics.observe(simulation);
+    return metrics.summary();
+  };
+  const RunSummary first = measured(at_once), second = measured(later);
+  EXPECT_NEAR(*first.metrics.extra_time_mean, *second.metrics.extra_time_mean, 1e-9);
+  EXPECT_NEAR(*first.metrics.deadlock_time, *second.metrics.deadlock_time, 1e-9);
+  EXPECT_NEAR(*first.last_arrival + 5.1, *second.last_arrival, 1e-9);
 }
 
 TEST(StartTime, is_refused_where_a_robot_cannot_wait) {
