@@ -13,8 +13,8 @@
 AVO_BEGIN_KERNELS
 
 /// n·y_i + offset_i in meters, at the three points of the constraint's interval. It is the left
-/// side of the rule: where A and B keep it >= 0, n·(y_A - y_B)_i >= r by S2. Where errors of sensing
-/// make n uncertain, the constraint has a cone, and the part of the cone is subtracted.
+/// side of the rule: where A and B keep it >= 0, n·(y_A - y_B)_i >= r by S2. Where errors of
+/// sensing make n uncertain, the constraint has a cone, and the part of the cone is subtracted.
 template <typename Real>
 struct PackCoefficients {
   Real start, middle, end;
@@ -56,7 +56,7 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumnsOf<D>& con
           select(later, result.end, result.end - Real(path.bend))};
 }
 
-/// Returns whether the path keeps all constraints. They are judged as far as they are asked for.
+/// Returns whether the path keeps all constraints. They are tested as far as they are asked for.
 template <typename Real, int D>
 bool keeps(const BrakingOf<D>& own, const CandidatePathOf<D>& path, const StepLaw& law,
            bool has_cones, Asked asked_for, ConstraintColumnsOf<D>& constraints) {
@@ -74,7 +74,7 @@ bool keeps(const BrakingOf<D>& own, const CandidatePathOf<D>& path, const StepLa
     select(asked, min(min(slack.start, slack.middle), slack.end), infinity)
         .store(&constraints.coefficient[k]);
   }
-  constraints.judged = std::min(k, constraints.count);
+  constraints.tested = std::min(k, constraints.count);
   return kept;
 }
 
