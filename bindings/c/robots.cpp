@@ -34,6 +34,7 @@ constexpr auto for_each_member = [](const auto& visit) {
   visit("method", &Def::method, &Setup::method);
   visit("time_horizon", &Def::time_horizon, &Setup::time_horizon);
   visit("arrival_distance", &Def::arrival_distance, &Setup::arrival_distance);
+  visit("start_time", &Def::start_time, &Setup::start_time);
   // scripts/fields end
 };
 

@@ -18,7 +18,7 @@ enum class Guide : std::uint8_t {
   back,     ///< away from its goal, out of a jam
   mover,    ///< beside a mover at rest that stands on its goal
   place,    ///< to a place near its goal, which others share or stand on
-  host,     ///< to what Simulation::set_preferred_velocity() says
+  host,     ///< to what Simulation::set_preferred_velocity() says; nowhere before its start_time
 };
 
 /// The rule that made a wish of the preferred velocity: the last rule that changed it.

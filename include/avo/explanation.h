@@ -15,6 +15,7 @@ struct Explanation {
   RobotId robot;
   double time = 0.0;            ///< s
   Vec2 goal;                    ///< m
+  double start_time = 0.0;      ///< s; before, it stands at its start
   bool is_at_goal = false;      ///< see Simulation::is_at_goal()
   double distance_left = 0.0;   ///< m, see Simulation::Route
   Simulation::Perception seen;  ///< what the robot senses, and wants

@@ -53,9 +53,19 @@ struct RobotSetup {
   std::optional<Method> method = {};
   std::optional<double> time_horizon = {};      ///< [τ] s, > 0; unset: the horizon of its method
   std::optional<double> arrival_distance = {};  ///< m, > 0; unset: the scene's
+  /// s, >= 0, since the start of the run. Before, the robot stands at its start: it decides with
+  /// preferred velocity 0, whatever a host tells it. A robot that cannot rest and a parked robot
+  /// have 0.
+  double start_time = 0.0;
 
   friend bool operator==(const RobotSetup&, const RobotSetup&) = default;
 };
+
+/// Returns whether a robot with that start_time, s, stands at its start at that time, s. Times are
+/// sums of steps, which are rounded.
+constexpr bool waits_to_start(double start_time, double time) {
+  return start_time > time * (1.0 + 1e-12);
+}
 
 /// Returns the center of the disc that others sense.
 inline Vec2 disc_center(const RobotSetup& robot) {

@@ -195,8 +195,9 @@ class SceneBuilder {
     double longest = 0.0;  // s
     for (const avo::RobotSetup& robot : scenario_.robots)
       if (robot.preferred_speed > 0.0)
-        longest = std::max(longest, norm(robot.goal - robot.position) / robot.preferred_speed);
-    scenario_.duration = std::ceil(60.0 + 2.0 * longest);
+        longest = std::max(longest, robot.start_time + 2.0 * norm(robot.goal - robot.position) /
+                                                           robot.preferred_speed);
+    scenario_.duration = std::ceil(60.0 + longest);
     if (scenario_.duration / scenario_.time_step > static_cast<double>(avo::kMostSteps))
       reader_.fail(document_.root, "",
                    fmt::format("no \"duration\", the usual one of {:g} s has more than {} steps",

@@ -166,6 +166,7 @@ export interface RobotSetup {
   method?: string;
   time_horizon?: number; // s
   arrival_distance?: number; // m
+  start_time?: number; // s
   // scripts/fields end
   model?: RobotInfo["model"];
   heading?: number; // rad
@@ -175,30 +176,38 @@ export interface RobotSetup {
 }
 
 export interface Car {
+  // scripts/fields: members of Car
   wheelbase?: number; // m
   max_curvature?: number; // 1/m
-  body?: CarBody;
   reverse?: boolean;
   acceleration_set?: "incircle" | "exact";
+  // scripts/fields end
+  body?: CarBody;
 }
 
-/** The disc that covers a car. */
+/** The disc that covers a car; its offset is forward of the rear axle. */
 export interface CarBody {
-  offset?: number; // m, forward of the rear axle
+  // scripts/fields: members of its body
+  offset?: number; // m
   radius: number; // m
+  // scripts/fields end
 }
 
 export interface DifferentialDrive {
+  // scripts/fields: members of DifferentialDrive
   track?: number; // m
   offset?: number; // m
   wheel_speed?: number; // m/s
   wheel_acceleration?: number; // m/s^2
+  // scripts/fields end
 }
 
 export interface Airplane {
+  // scripts/fields: members of Airplane
   min_speed?: number; // m/s
   lateral_acceleration?: number; // m/s^2
   after_goal?: "loiter" | "leave";
+  // scripts/fields end
 }
 
 /** Two bodies that overlap now, or a body and a static obstacle: "robots.3", "moving_obstacles.0", "obstacles.2". */

@@ -76,6 +76,10 @@ inline constexpr Need kOptional = Need::optional;
 enum class Whose : std::uint8_t { all, deciding };
 inline constexpr Whose kDeciding = Whose::deciding;
 
+/// Whether a field says only what a robot wants: no certificate and no other robot counts on it.
+enum class Says : std::uint8_t { what_it_does, what_it_wants };
+inline constexpr Says kWants = Says::what_it_wants;
+
 template <class T, class Member = typename MembersOf<T>::type>
 struct Field {
   std::string_view key;
@@ -86,6 +90,7 @@ struct Field {
   std::string_view doc;   ///< one line
   std::string_view default_text = "";  ///< if the default is not the struct's value
   Whose whose = Whose::all;
+  Says says = Says::what_it_does;
 };
 
 /// The fields of T, in the order of the documentation. The template is hidden explicitly: the
@@ -108,7 +113,8 @@ consteval Field<T> as_in(std::string_view key, Value T::*member,
           row->unit,
           row->doc,
           default_text.value_or(row->default_text),
-          row->whose};
+          row->whose,
+          row->says};
 }
 
 /// Fields with keys of their own; ranges of layers, and of values that are not numbers.
@@ -126,6 +132,14 @@ void for_each_member(const Table& table, const Visit& visit) {
             visit(field, member);
         },
         field.member);
+}
+
+/// Copies the fields that say only what a robot wants.
+template <class T>
+void copy_wants(const T& from, T& to) {
+  for_each_member(kFields<T>, [&](const auto& field, const auto member) {
+    if (field.says == kWants) to.*member = from.*member;
+  });
 }
 
 /// Throws Error for the first number of the value that is outside of its field's range. name(key):

@@ -19,7 +19,8 @@ AVO_LOCAL inline constexpr auto kFields<RobotSetup> = std::to_array<Field<RobotS
     {"position", &RobotSetup::position, kRequired, kAnyValue, "m", "where it starts"},
     {"velocity", &RobotSetup::velocity, kOptional, kAnyValue, "m/s",
      "at the start; of one with a heading its length counts, along it"},
-    {"goal", &RobotSetup::goal, kRequired, kAnyValue, "m", "where it wants to come to rest"},
+    {"goal", &RobotSetup::goal, kRequired, kAnyValue, "m", "where it wants to come to rest", "",
+     Whose::all, kWants},
     {"radius", &RobotSetup::radius, kOptional, kPositive, "m", "of its disc"},
     {"max_speed", &RobotSetup::max_speed, kOptional, kPositive, "m/s", "never exceeded",
      "2; of a differential drive its wheel_speed"},
@@ -27,7 +28,7 @@ AVO_LOCAL inline constexpr auto kFields<RobotSetup> = std::to_array<Field<RobotS
      "never exceeded",
      "1; of a differential drive half of what its wheels can do in any direction"},
     {"preferred_speed", &RobotSetup::preferred_speed, kOptional, kNotNegative, "m/s",
-     "towards the goal", "max_speed"},
+     "towards the goal", "max_speed", Whose::all, kWants},
     {"model", kNested, kOptional, kNoNumber, "", "how it moves",
      "the model of the keys that are present, else holonomic"},
     {"heading", kNested, kOptional, kHeadingField.range, kHeadingField.unit, kHeadingField.doc,
@@ -61,7 +62,9 @@ AVO_LOCAL inline constexpr auto kFields<RobotSetup> = std::to_array<Field<RobotS
      "tau: how far it looks for collisions",
      "the scene's where it has its method, else what is customary", kDeciding},
     {"arrival_distance", &RobotSetup::arrival_distance, kOptional, kPositive, "m",
-     "to its goal: it has arrived once it is that near", "the scene's", kDeciding},
+     "to its goal: it has arrived once it is that near", "the scene's", kDeciding, kWants},
+    {"start_time", &RobotSetup::start_time, kOptional, kNotNegative, "s",
+     "until then it stands at its start, and others pass it", "", kDeciding, kWants},
 });
 
 }  // namespace avo::inline fields

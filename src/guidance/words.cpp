@@ -73,6 +73,8 @@ int nearest_of(const Explanation& e) {
 
 // What leads the robot elsewhere than along its route; nothing where nothing does.
 Words guide_of(const Explanation& e) {
+  if (waits_to_start(e.start_time, e.time))
+    return Words("it starts at ") + number(e.start_time, 2) + " s";
   switch (e.seen.guide) {
     case Guide::place:
       return occupied_goal(e, e.seen.stop ? "stays near it" : "goes to a free place near it");

@@ -28,6 +28,7 @@ const char* to_string(EventKind kind) {
 struct Events::State {
   struct Watched : WatchedRobot<Vec2> {
     bool parked = false;
+    double start_time = 0.0;  // s
   };
 
   double stuck_after = 0.0;  // s
@@ -58,6 +59,7 @@ void Events::State::take_roster(const Simulation& simulation) {
     Watched& robot = present.emplace_back(is_known ? *known++ : Watched{{.id = fleet.id[row]}});
     robot.parked = setup.parked;
     robot.preferred_speed = setup.preferred_speed, robot.max_speed = setup.max_speed;
+    robot.start_time = setup.start_time;
     if (is_known) continue;
     robot.goal = setup.goal, robot.position = setup.position;
     robot.length = simulation.route(robot.id).length, robot.since = simulation.time();
@@ -74,7 +76,8 @@ void Events::State::observe_robot(const Simulation& simulation, std::size_t row,
   const RobotLook look{time, simulation.time(), stuck_after, !(goal == robot.goal)};
   watch_goal(robot, goal, simulation.is_at_goal(robot.id), events);
   const auto is_steered = [&] {
-    return simulation.preferred_velocity(robot.id) || simulation.host_velocity(robot.id);
+    return simulation.preferred_velocity(robot.id) || simulation.host_velocity(robot.id) ||
+           waits_to_start(robot.start_time, simulation.time());
   };
   const double length = simulation.route(robot.id).length;
   if (watch_progress(robot, position, length, look, is_steered, events))

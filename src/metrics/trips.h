@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trips of robots: each lasts from the time when the robot is first seen with a goal until it first
-// arrives there (docs/metrics.md).
+// Trips of robots: each lasts from the time when the robot is first seen with a goal, and may set
+// out, until it first arrives there (docs/metrics.md).
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -54,7 +54,7 @@ Follower follower_of(const World& world, std::size_t slot, Vec2 lost, double nea
           .nearest = nearest,
           .detour = fleet.detour[slot].angle,
           .looks_around = looks_around(fleet.id[slot], decisions_of(world, slot)),
-          .rests = rests_at_place(world, slot)};
+          .rests = rests_at_place(world, slot) || world.waits_to_start(slot)};
 }
 
 void collect_claims(const World& world, Executor& executor, std::vector<Claims>& claims) {
@@ -68,7 +68,8 @@ std::optional<Simulation::Wait> wait_of(const World& world, std::span<const Clai
                                         std::size_t slot) {
   const Fleet& fleet = world.fleet;
   const std::size_t floor = world.floor_of(slot);
-  if (!fleet.decides(slot) || world.routes[floor].passages.empty()) return std::nullopt;
+  if (!fleet.decides(slot) || world.routes[floor].passages.empty() || world.waits_to_start(slot))
+    return std::nullopt;
   const Travel& travel = world.travels[static_cast<std::size_t>(fleet.rank[slot])];
   auto wait = wait_of(world.routes[floor], claims[floor], follower_of(world, slot, {}, 0.0), travel,
                       world.sensing_radius);

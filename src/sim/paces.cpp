@@ -17,7 +17,7 @@ namespace {
 std::size_t unused_pace(const World& world) {
   std::vector<bool> used(world.paces.size(), false);
   used[0] = true;
-  for (const OwnPace& own : world.fleet.pace) used[own.index] = true;
+  for (const std::uint32_t index : world.fleet.pace) used[index] = true;
   return static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
 }
 
@@ -52,12 +52,11 @@ std::optional<std::uint32_t> known_pace(const World& world, const PaceKey& key) 
 
 }  // namespace
 
-OwnPace World::pace_of(const RobotSetup& setup, bool may_replace) {
-  if (setup.parked) return {};
+std::uint32_t World::pace_of(const RobotSetup& setup, bool may_replace) {
+  if (setup.parked) return 0;
   const PaceKey key{method_of(settings, setup), time_step_of(settings, setup),
                     time_horizon_of(settings, setup), arrival_distance_of(settings, setup)};
-  if (const auto known = known_pace(*this, key))
-    return {*known, setup.time_horizon, setup.arrival_distance};
+  if (const auto known = known_pace(*this, key)) return *known;
   PlannerOptions options = planner_options(settings, setup);
   options.wall_range = wall_range(!movers.setup.empty());
   // where there are more paces than robots, some are unused
@@ -73,7 +72,7 @@ OwnPace World::pace_of(const RobotSetup& setup, bool may_replace) {
     paces.emplace_back(options);
   else
     paces[index] = Pace(options);
-  return {static_cast<std::uint32_t>(index), setup.time_horizon, setup.arrival_distance};
+  return static_cast<std::uint32_t>(index);
 }
 
 std::vector<Pace> paces_among(const World& world, bool has_movers) {

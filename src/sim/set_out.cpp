@@ -123,10 +123,10 @@ void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worke
 }
 
 // Robots with a preferred velocity of the host do not come to rest at a goal.
-void take_told(const Fleet& fleet, std::span<const std::uint32_t> slots, Worker& worker) {
+void take_told(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   RobotColumns& robots = worker.tile.robots;
   for (std::size_t k = 0; k < slots.size(); ++k) {
-    const std::optional<Vec2> v = fleet.told_velocity(slots[k]);
+    const std::optional<Vec2> v = world.steered(slots[k]);
     if (!v) continue;
     robots.preferred_x[k] = v->x, robots.preferred_y[k] = v->y;
     robots.distance_to_goal[k] = std::numeric_limits<double>::infinity();
@@ -196,7 +196,7 @@ void set_out(const World& world, const Pace& pace, std::span<const Claims> claim
     aim_discs(world, slots, worker);
   choose_preferred(pace.response, worker.moving, robots);
   if (!fleet.flights.empty()) set_courses(fleet, slots, worker);
-  if (!fleet.told.empty()) take_told(fleet, slots, worker);
+  if (world.steers_some()) take_told(world, slots, worker);
 }
 
 }  // namespace avo::inline sim

@@ -120,8 +120,7 @@ void Simulation::restore(std::span<const std::byte> saved) {
 }
 
 double Simulation::time() const {
-  if (state_->fleet.has_clocks) return seconds(state_->now);
-  return static_cast<double>(state_->steps) * state_->settings.time_step;
+  return state_->time();
 }
 
 std::int64_t Simulation::steps() const {

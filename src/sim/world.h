@@ -148,14 +148,18 @@ struct World {
   const Planner& planner() const { return paces.front().planner; }
   /// The present moment of measurements, see Senses.
   std::int64_t moment() const { return senses.by_time ? now : steps; }
+  /// s, since the start of the run.
+  double time() const {
+    return fleet.has_clocks ? seconds(now) : static_cast<double>(steps) * settings.time_step;
+  }
   const Pace& pace(std::size_t slot) const { return paces[fleet.pace_of(slot)]; }
   /// m: the robot has arrived once it is that near to its goal.
   double arrival_distance(std::size_t slot) const {
     return fleet.own_arrival_distance(slot).value_or(settings.arrival_distance);
   }
-  /// The pace of such a robot; a missing pace is made. may_replace: the new pace may replace a pace
-  /// of no robot, where all robots are in the fleet.
-  OwnPace pace_of(const RobotSetup& setup, bool may_replace = false);
+  /// The index of the pace of such a robot; a missing pace is made. may_replace: the new pace may
+  /// replace a pace of no robot, where all robots are in the fleet.
+  std::uint32_t pace_of(const RobotSetup& setup, bool may_replace = false);
   /// The common planner of the robots with a certificate; the scene's where there are none.
   const Planner& certified_planner() const;
   /// Number of neighbors that the planner is given as the nearest.
@@ -171,6 +175,17 @@ struct World {
   }
   const Routes& routes_of(std::size_t slot) const { return routes[floor_of(slot)]; }
   Routes& routes_of(std::size_t slot) { return routes[floor_of(slot)]; }
+  /// Returns whether the start_time of the robot is yet to come.
+  bool waits_to_start(std::size_t slot) const {
+    return !fleet.rare.empty() &&
+           avo::waits_to_start(fleet.rare[static_cast<std::size_t>(fleet.rank[slot])].start_time,
+                               time());
+  }
+  /// m/s: what the robot prefers in place of a route to its goal; none where it goes to its goal.
+  std::optional<Vec2> steered(std::size_t slot) const {
+    return waits_to_start(slot) ? Vec2{} : fleet.told_velocity(slot);
+  }
+  bool steers_some() const { return !fleet.told.empty() || !fleet.rare.empty(); }
   bool has_routes() const;
   bool has_passages() const;  // on some floor
   /// m: the final target of the robot, its goal or the nearest place to it.

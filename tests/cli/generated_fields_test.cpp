@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines of files that follow from the table of a robot's fields. Each block stands between two
-// comments. scripts/fields writes the blocks, by this test.
+// The lines of files that follow from the tables of a robot's fields and of its models. Each block
+// stands between two comments. scripts/fields writes the blocks, by this test.
 #include <cstdlib>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@
 
 #include "avo/robot.h"
 #include "field_types.h"
+#include "fields/model_fields.h"
 #include "fields/robot_fields.h"
 #include "run_avo.h"
 
@@ -24,12 +25,16 @@ using Lines = std::vector<std::string>;
 
 constexpr const char* kWrites = "AVO_WRITE_FIELDS";  // set by scripts/fields
 
+/// visit(field, default value) for each field that has a member.
+template <class T, class Visit>
+void for_each_of(const Visit& visit) {
+  const T usual;
+  for_each_member(avo::kFields<T>,
+                  [&](const auto& field, auto member) { visit(field, usual.*member); });
+}
 template <class Visit>
 void for_each_of_robot(const Visit& visit) {
-  const RobotSetup usual;
-  for_each_member(avo::kFields<RobotSetup>, [&](const RobotField& field, auto member) {
-    visit(field, usual.*member);
-  });
+  for_each_of<RobotSetup>(visit);
 }
 
 template <class Value>
@@ -67,8 +72,7 @@ std::string in_python(avo::LayerSet) {
   return "...";
 }
 template <class Word>
-  requires std::is_enum_v<Word>
-std::string in_python(Word word) {
+requires std::is_enum_v<Word> std::string in_python(Word word) {
   return fmt::format("\"{}\"", to_string(word));
 }
 template <class Value>
@@ -101,12 +105,13 @@ Lines changes_of_python() {
   return lines;
 }
 
+template <class T>
 Lines members_of_script() {
   Lines lines;
-  for_each_of_robot([&](const RobotField& field, const auto& usual) {
-    lines.push_back(fmt::format("{}{}: {};{}{}", field.key,
-                                field.need == avo::kRequired ? "" : "?", type_of(usual).script,
-                                field.unit.empty() ? "" : " // ", field.unit));
+  for_each_of<T>([&](const auto& field, const auto& usual) {
+    lines.push_back(fmt::format("{}{}: {};{}{}", field.key, field.need == avo::kRequired ? "" : "?",
+                                type_of(usual).script, field.unit.empty() ? "" : " // ",
+                                field.unit));
   });
   return lines;
 }
@@ -127,8 +132,7 @@ std::string in_words(avo::LayerSet set) {
   return "[" + list + "]";
 }
 template <class Word>
-  requires std::is_enum_v<Word>
-std::string in_words(Word word) {
+requires std::is_enum_v<Word> std::string in_words(Word word) {
   return fmt::format("`{}`", to_string(word));
 }
 template <class Value>
@@ -178,12 +182,16 @@ struct Block {
 };
 
 std::vector<Block> blocks() {
-  const std::string stub = "bindings/python/avo/_avo.pyi";
+  const std::string stub = "bindings/python/avo/_avo.pyi", script = "lab/avo/types.ts";
   return {{"bindings/c/robots.cpp", "members of RobotSetup", members_of_c()},
           {stub, "attributes of RobotSetup", attributes_of_python()},
           {stub, "arguments of RobotSetup", arguments_of_python()},
           {stub, "changes of RobotSetup", changes_of_python()},
-          {"lab/avo/types.ts", "members of RobotSetup", members_of_script()},
+          {script, "members of RobotSetup", members_of_script<RobotSetup>()},
+          {script, "members of Car", members_of_script<avo::Car>()},
+          {script, "members of its body", members_of_script<avo::CarBody>()},
+          {script, "members of DifferentialDrive", members_of_script<avo::DifferentialDrive>()},
+          {script, "members of Airplane", members_of_script<avo::Airplane>()},
           {"docs/scenes.md", "keys of robots", rows_of_document()}};
 }
 
@@ -213,8 +221,10 @@ TEST(GeneratedFields, files_follow_from_the_table) {
     if (std::getenv(kWrites) != nullptr && !HasFailure() && present != text)
       write_file(path, present);
     else
-      EXPECT_EQ(text, present) << block.file << ": " << block.name
-                               << " are not those of src/fields, run scripts/fields";
+      EXPECT_TRUE(text == present)
+          << block.file << ": \"" << block.name
+          << "\" do not follow from src/fields, run scripts/fields. They have to be\n"
+          << fmt::format("{}", fmt::join(block.lines, "\n"));
   }
 }
 

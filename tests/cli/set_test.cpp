@@ -99,6 +99,7 @@ TEST(Set, the_last_one_counts) {
 TEST(Set, a_longer_way_takes_more_time_where_the_file_leaves_it_open) {
   EXPECT_EQ(load("circle-10", {}).duration, 100.0);
   EXPECT_EQ(load("circle-10", {"groups.0.placement.circle.min_radius=40"}).duration, 140.0);
+  EXPECT_EQ(load("circle-10", {"groups.0.start_time=50"}).duration, 150.0);
   EXPECT_EQ(load("circle-10", {"duration=5"}).duration, 5.0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// C's header, and most of Python's stubs, TypeScript's types and the documents, are written by hand.
+// C's header, and most of Python's stubs and of the documents, are written by hand.
 // They have every field of the table: what is missing is printed as the line that it has to be.
 #include <algorithm>
 #include <array>
@@ -146,22 +146,6 @@ TEST(WrittenFields, classes_of_python_have_them) {
   expect_in_class<avo::space::RobotSetup>("RobotSetup", "space.pyi");
   expect_in_class<avo::space::Quadrotor>("Quadrotor", "space.pyi");
   expect_in_class<avo::space::Scenario>("Scenario", "space.pyi");
-}
-
-template <class T>
-void expect_in_script(const std::string& name) {
-  const Part part("lab/avo/types.ts", "export interface " + name + " {", "}");
-  for_each_member(avo::kFields<T>, [&](const auto& field, auto member) {
-    part.expect(fmt::format("{}{}: {};", field.key, field.need == avo::kRequired ? "" : "?",
-                            types_of(member).script));
-  });
-}
-
-TEST(WrittenFields, types_of_typescript_have_them) {
-  expect_in_script<avo::Car>("Car");
-  expect_in_script<avo::CarBody>("CarBody");
-  expect_in_script<avo::DifferentialDrive>("DifferentialDrive");
-  expect_in_script<avo::Airplane>("Airplane");
 }
 
 /// Whether the first cell of a row of some table names the key, or a block of code has it.

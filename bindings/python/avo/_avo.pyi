@@ -353,6 +353,7 @@ class RobotSetup:
     method: _Method | None
     time_horizon: _NumberOrNone
     arrival_distance: _NumberOrNone
+    start_time: _Number
     # scripts/fields end
     def __init__(
         self,
@@ -377,6 +378,7 @@ class RobotSetup:
         method: _Method | None = None,
         time_horizon: _Float | None = None,
         arrival_distance: _Float | None = None,
+        start_time: _Float = 0.0,
         # scripts/fields end
     ) -> None: ...
 
@@ -865,6 +867,7 @@ class Simulation:
         method: _Method | None = ...,
         time_horizon: _Float | None = ...,
         arrival_distance: _Float | None = ...,
+        start_time: _Float = ...,
         # scripts/fields end
     ) -> None: ...
     def set_preferred_velocity(self, id: _Int, velocity: _Pair | None) -> None: ...

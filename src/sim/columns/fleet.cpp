@@ -9,10 +9,41 @@
 #include <type_traits>
 
 #include "avo/error.h"
+#include "fields/robot_fields.h"
 #include "robots/footprint.h"
 #include "robots/model.h"
 
 namespace avo::inline sim {
+namespace {
+
+// The fields from this one on have no columns of their own.
+constexpr std::size_t kFirstRare = 21;
+static_assert(kFields<RobotSetup>[kFirstRare].key == "time_horizon");
+constexpr std::span<const RobotField> kRareFields =
+    std::span(kFields<RobotSetup>).subspan(kFirstRare);
+
+void copy_rare(const RobotSetup& from, RobotSetup& to) {
+  for_each_member(kRareFields, [&](const RobotField&, auto member) { to.*member = from.*member; });
+}
+
+// A column is empty where all its entries are default ones. Only room may take memory.
+template <typename Entry>
+void make_room(std::vector<Entry>& column, std::size_t size, const Entry& entry) {
+  if (!column.empty() || !(entry == Entry{})) column.resize(size);
+}
+template <typename Entry>
+void put(std::vector<Entry>& column, std::size_t k, const Entry& entry) {
+  if (!column.empty()) column[k] = entry;
+}
+
+RobotSetup rare_of(const RobotSetup& setup) {
+  RobotSetup rare;
+  copy_rare(setup, rare);
+  return rare;
+}
+
+}  // namespace
+
 template <typename Action>
 void Fleet::for_each_column(const Action& action) {
   action(id), action(rank), action(traits), action(conduct), action(range), action(nearest);
@@ -26,7 +57,7 @@ void Fleet::reserve(std::size_t count) {
   slot_of.reserve(count);
 }
 
-void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace) {
+void Fleet::add(RobotId robot, const RobotSetup& setup, std::uint32_t own_pace) {
   const std::size_t slot = size();
   // everything that may throw comes before any change
   bool full = slot_of.capacity() == slot;
@@ -40,7 +71,8 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
     models.resize(slot + 1);
   }
   if (!flights.empty() || !can_rest(setup.model)) flights.resize(slot + 1);
-  if (!pace.empty() || !(own_pace == OwnPace{})) pace.resize(slot + 1);
+  const RobotSetup own_rare = rare_of(setup);
+  make_room(pace, slot + 1, own_pace), make_room(rare, slot + 1, own_rare);
   if (!told.empty()) told.resize(slot + 1);
   if (!host_motion.empty()) host_motion.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
@@ -48,7 +80,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
   rank[slot] = static_cast<int>(slot);
   traits[slot] = traits_of(setup);
   conduct[slot] = conduct_of(setup, usual);
-  if (!pace.empty()) pace[slot] = own_pace;
+  put(pace, slot, own_pace), put(rare, slot, own_rare);
   goal[slot] = setup.goal;
   position[slot] = disc_center(setup);
   velocity[slot] = start_velocity(setup);
@@ -60,14 +92,15 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
   slot_of.push_back(static_cast<std::uint32_t>(slot));
 }
 
-void Fleet::change(std::size_t slot, const RobotSetup& setup, const OwnPace& own_pace) {
-  const auto own = static_cast<std::size_t>(rank[slot]);
-  if (pace.empty() && !(own_pace == OwnPace{})) pace.resize(size());
-  if (!pace.empty()) pace[own] = own_pace;
+void Fleet::change(std::size_t slot, const RobotSetup& setup, std::uint32_t own_pace) {
+  const auto place = static_cast<std::size_t>(rank[slot]);
+  const RobotSetup own_rare = rare_of(setup);
+  make_room(pace, size(), own_pace), make_room(rare, size(), own_rare);
+  put(pace, place, own_pace), put(rare, place, own_rare);
   traits[slot] = traits_of(setup);
   conduct[slot] = conduct_of(setup, usual);
   nearest[slot] = std::numeric_limits<float>::infinity();
-  if (!models.empty()) own_radius[own] = setup.radius;
+  if (!models.empty()) own_radius[place] = setup.radius;
 }
 
 void Fleet::remove(std::size_t slot) {
@@ -79,6 +112,7 @@ void Fleet::remove(std::size_t slot) {
   if (!flights.empty()) flights.erase(flights.begin() + rank[slot]);
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
+  if (!rare.empty()) rare.erase(rare.begin() + rank[slot]);
   if (!told.empty()) told.erase(told.begin() + rank[slot]);
   if (!host_motion.empty()) host_motion.erase(host_motion.begin() + rank[slot]);
   bases.remove(static_cast<std::size_t>(rank[slot]));
@@ -148,10 +182,7 @@ RobotSetup Fleet::setup(std::size_t slot, const MotionState& state) const {
                    .behavior = conduct[slot].behavior};
   if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
   if (conduct[slot].method != usual.method) setup.method = conduct[slot].method;
-  if (!pace.empty()) {
-    const OwnPace& own = pace[static_cast<std::size_t>(rank[slot])];
-    setup.time_horizon = own.time_horizon, setup.arrival_distance = own.arrival_distance;
-  }
+  if (!rare.empty()) copy_rare(rare[static_cast<std::size_t>(rank[slot])], setup);
   return setup;
 }
 

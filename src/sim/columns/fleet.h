@@ -102,14 +102,6 @@ struct OwnClock {
   }
 };
 
-/// The planner by which a robot decides.
-struct OwnPace {
-  std::uint32_t index = 0;                      // see World::paces
-  std::optional<double> time_horizon = {};      // s, from its setup
-  std::optional<double> arrival_distance = {};  // m, from its setup
-  friend bool operator==(const OwnPace&, const OwnPace&) = default;
-};
-
 /// Columns by slot. Robots that are near each other are near in memory once the fleet has been put
 /// in order. Ids ascend by rank.
 struct Fleet {
@@ -134,7 +126,9 @@ struct Fleet {
   bool has_clocks = false;
   bool has_footprints = false;
   UsualMethod usual;                // of robots that have none of their own
-  std::vector<OwnPace> pace;        // by rank; empty where all use the first one
+  std::vector<std::uint32_t> pace;  // of World::paces, by rank; empty where all use the first one
+  // what setups say and no other column has, by rank; empty where all have the default values
+  std::vector<RobotSetup> rare;
   std::vector<MotionModel> models;  // by rank; empty where all are holonomic
   std::vector<double> own_radius;   // m, from their setups, by rank; empty where all are holonomic
   std::vector<Flight> flights;      // by rank; empty where no robot flies
@@ -146,11 +140,11 @@ struct Fleet {
 
   std::size_t size() const { return id.size(); }
   void reserve(std::size_t count);
-  void add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace = {});
+  void add(RobotId robot, const RobotSetup& setup, std::uint32_t own_pace = 0);
   void remove(std::size_t slot);
   /// Takes all of the setup but its state, goal, model and clock. It may throw bad_alloc before any
   /// change.
-  void change(std::size_t slot, const RobotSetup& setup, const OwnPace& own_pace);
+  void change(std::size_t slot, const RobotSetup& setup, std::uint32_t own_pace);
   /// The walls of parked robots, in the order of their ids, as if one robot had this wall, or none.
   std::vector<Wall> parked_walls(std::optional<std::size_t> changed = {},
                                  const std::optional<Wall>& own = {}) const;
@@ -170,12 +164,12 @@ struct Fleet {
     return clock[static_cast<std::size_t>(rank[slot])];
   }
   std::uint32_t pace_of(std::size_t slot) const {
-    return pace.empty() ? 0 : pace[static_cast<std::size_t>(rank[slot])].index;
+    return pace.empty() ? 0 : pace[static_cast<std::size_t>(rank[slot])];
   }
   /// m; none: the scene's.
   std::optional<double> own_arrival_distance(std::size_t slot) const {
-    if (pace.empty()) return std::nullopt;
-    return pace[static_cast<std::size_t>(rank[slot])].arrival_distance;
+    if (rare.empty()) return std::nullopt;
+    return rare[static_cast<std::size_t>(rank[slot])].arrival_distance;
   }
   MotionModel model(std::size_t slot) const {
     return models.empty() ? MotionModel{} : models[static_cast<std::size_t>(rank[slot])];

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/hash.h"
+#include "fields/robot_fields.h"
 #include "robots/model.h"
 
 namespace avo::inline sim {
@@ -12,10 +13,10 @@ namespace {
 
 // What is the same for all robots of a family. A faster airplane need not need more.
 RobotSetup kin_of(RobotSetup setup) {
-  setup.position = setup.velocity = setup.goal = {};
-  setup.heading = setup.preferred_speed = setup.radius = 0.0;
+  copy_wants({}, setup);
+  setup.position = setup.velocity = {};
+  setup.heading = setup.radius = 0.0;
   if (can_rest(setup.model)) setup.max_speed = 0.0;
-  setup.arrival_distance.reset();
   return setup;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/ranges.h"
+#include "fields/robot_fields.h"
 #include "robots/model.h"
 #include "sim/floors.h"
 #include "sim/host/edits.h"
@@ -54,9 +55,8 @@ bool affects_certificate(const Fleet& fleet, const RobotSetup& now, const RobotS
   RobotSetup same = changed;
   if (changed.radius <= now.radius) same.radius = now.radius;
   if (changed.max_speed <= now.max_speed || all_decide(fleet)) same.max_speed = now.max_speed;
-  same.preferred_speed = now.preferred_speed;
+  copy_wants(now, same);
   same.priority = now.priority, same.time_horizon = now.time_horizon;
-  same.arrival_distance = now.arrival_distance;
   return !(same == now);
 }
 
@@ -146,7 +146,7 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup, bool may
   KindAlone kind(world, now);
   check_change(world, now, changed, robot, may_start);
   const double sensing_radius = sensing_radius_with(world, slowing(now, changed));
-  const OwnPace pace = world.pace_of(changed, true);
+  const std::uint32_t pace = world.pace_of(changed, true);
   world.senses.reserve_one(
       knots_needed(world.settings, world.planner().options().longest_step, changed));
   if (world.bystanders.is_made) world.bystanders.late.reserve(world.bystanders.late.size() + 1);

@@ -33,7 +33,7 @@ void add_clock(World& world, const RobotSetup& setup) {
 }  // namespace
 
 void join(World& world, const RobotSetup& setup, RobotId robot) {
-  const OwnPace pace = world.pace_of(setup, true);
+  const std::uint32_t pace = world.pace_of(setup, true);
   world.senses.reserve_one(
       knots_needed(world.settings, world.planner().options().longest_step, setup));
   world.fleet.add(robot, setup, pace);

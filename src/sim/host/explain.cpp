@@ -21,6 +21,7 @@ Explanation Simulation::explain(RobotId robot) const {
   Explanation explanation{.robot = present.id,
                           .time = time(),
                           .goal = present.goal,
+                          .start_time = setup(robot).start_time,
                           .is_at_goal = is_at_goal(robot),
                           .distance_left = route(robot).distance_left,
                           .seen = perceive(robot),

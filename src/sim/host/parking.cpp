@@ -102,7 +102,7 @@ void park_or_free(World& world, std::size_t slot, RobotSetup changed) {
   const std::optional<Wall> wall = wall_of(fleet, slot, changed);
   check(world, slot, changed, wall);
   const double sensing_radius = sensing_radius_with(world, changed);
-  const OwnPace pace = world.pace_of(changed, true);
+  const std::uint32_t pace = world.pace_of(changed, true);
   std::vector<LayerSet> layers = layers_of(fleet);
   if (!changed.parked) layers.push_back(changed.layers);
   StaticWorld statics = beside(world, fleet.parked_walls(slot, wall), layers);

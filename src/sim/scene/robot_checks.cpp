@@ -104,6 +104,8 @@ void check_model(std::size_t i, const RobotSetup& robot, double time_step, const
   if (robot.max_braking)
     refuse(at("max_braking"), text(*robot.max_braking), "left out: it cannot brake");
   if (robot.parked) refuse(at("parked"), "true", "false: it cannot stop");
+  if (robot.start_time != 0.0)
+    refuse(at("start_time"), text(robot.start_time), "left out: it cannot wait at its start");
 }
 
 }  // namespace

@@ -220,7 +220,7 @@ enum {
   AVO_GUIDE_BACK = 3,     ///< away from its goal, out of a jam
   AVO_GUIDE_MOVER = 4,    ///< beside a mover at rest that stands on its goal
   AVO_GUIDE_PLACE = 5,    ///< to a place near its goal, which others share or stand on
-  AVO_GUIDE_HOST = 6      ///< to what the host says
+  AVO_GUIDE_HOST = 6      ///< to what the host says; nowhere before its start_time
 };
 
 /// What is proved of a state before a decision.
@@ -545,6 +545,7 @@ typedef struct avo_robot_def {
   double time_horizon;
   double arrival_distance;  ///< m, > 0, its own; 0: the simulation's
   avo_footprint footprint;  ///< of a car or a drive; discs 0: none
+  double start_time;        ///< s, >= 0; until then it stands at its start, and others pass it
 } avo_robot_def;
 
 /// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a
