@@ -49,8 +49,8 @@ void watch_goal(WatchedRobot<Vec>& robot, Vec goal, bool is_at_goal, std::vector
 
 /// Tells whether its goal is out of reach, and whether it is stuck: returns true where that is told
 /// and needs its sentence. The part of the route that the robot made is at most what it moved. So a
-/// route that changes, as when a door opens, is no progress. is_steered(): whether the host says
-/// where it goes.
+/// route that changes, as when a door opens, is no progress. is_steered(): whether the robot's
+/// motion is the host's, or it waits for its start.
 template <typename Vec, typename IsSteered>
 bool watch_progress(WatchedRobot<Vec>& robot, Vec position, double length, const RobotLook& look,
                     const IsSteered& is_steered, std::vector<Event>& events) {
