@@ -30,11 +30,12 @@ namespace avo::space {
 struct AVO_LOCAL SpaceWorker {
   PlanWorkspace::Scratch scratch;
   SpaceCells::Runs runs{};
-  std::vector<Box> boxes;
+  std::vector<Box> boxes;  // as the robot sees them
+  Vec3 lost;               // m, by which it errs in its own place
   std::vector<Mover> movers;
   std::vector<std::int32_t> box_number, mover_number;  // in the scene; the value of its id
   HeadingScratch routes;
-  std::vector<Neighbor> neighbors;
+  std::vector<Neighbor> neighbors, on_map;  // where they are, and where the robot takes them to be
   SpaceOccupied occupied;
 };
 
@@ -100,7 +101,7 @@ struct AVO_LOCAL SpaceFleet {
   void sense_movers(std::size_t k, SpaceWorker& worker) const;
   /// The robots that a robot senses by measurements, in the memory of the worker.
   void sense_robots(std::size_t k, std::size_t runs, SpaceWorker& worker) const;
-  /// The boxes that matter to a robot.
+  /// The boxes that matter to a robot, where it sees them.
   void find_boxes(std::size_t k, SpaceWorker& worker) const;
   /// Sets the preferred velocity of robot k: along its route, where boxes are in between.
   void head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker);
@@ -110,6 +111,9 @@ struct AVO_LOCAL SpaceFleet {
   /// Sets the preferred velocity of a robot with the state of robot k. Returns what guides it.
   Guide head_for_goal(std::size_t k, std::span<const Neighbor> company, const Travelling& own,
                       SpaceWorker& worker) const;
+  /// On the map, where a robot with the state of robot k heads for along its route.
+  SpaceHeading heading_of(std::size_t k, std::span<const Neighbor> company, const Travelling& own,
+                          SpaceWorker& worker) const;
   /// Where a robot with the state of robot k heads for that shares its goal. Where that is its
   /// route, it has no place.
   SpaceAtSharedGoal near_goal(std::size_t k, std::span<const Neighbor> company,
