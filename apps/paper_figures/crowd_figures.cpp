@@ -117,7 +117,7 @@ std::string point(Vec2 at) {
 
 }  // namespace
 
-Caption draw_among_obstacles(const std::string& folder) {
+Caption draw_among_movers(const std::string& folder) {
   const Row row{.width = 430.0};
   const std::string path = folder + "/fig-04.png";
   Canvas canvas(path, row.width, row.height());
@@ -132,13 +132,15 @@ Caption draw_among_obstacles(const std::string& folder) {
   return {"4",
           "fig-04.png",
           "One robot among moving obstacles",
-          "(a) A robot and five moving obstacles with their velocities. (b) The union of their "
-          "acceleration-velocity obstacles for δ = 2 s, τ = 4 s, each moved by *v*′_B, within "
-          "the disc D(*v*_A, δ a_max); white is CA_A, Eq. (13). From the preferred velocity " +
+          "(a) A robot and five moving obstacles with their velocities. (b) The union of the "
+          "acceleration-velocity obstacles of these five for δ = 2 s, τ = 4 s, each moved by "
+          "*v*′_B, within the disc D(*v*_A, δ a_max). White is CA_A, Eq. (13). From the preferred "
+          "velocity " +
               point(robot_of_figure().preferred_velocity) + " m/s the planner goes to " +
               point(plan.new_velocity) + " m/s (" + to_string(plan.status) + "), Eq. (14).",
           "the free set is what remains of the disc, " + area_of(space) +
-              " in several parts, and the choice is its point nearest to the preferred velocity.",
+              " in several parts. The choice is the point of this set nearest to the preferred "
+              "velocity.",
           "the paper prints no numbers for its configuration. Candidates for the choice include "
           "the intersections with the disc, which the paper's list leaves out."};
 }
@@ -155,19 +157,19 @@ Caption draw_half_planes(const std::string& folder) {
   save(path, canvas.finish());
   PlanWorkspace workspace;
   const Plan plan = planner_of_figure().plan(robot_of_figure(), neighbors, workspace);
-  return {
-      "6(a)",
-      "fig-06.png",
-      "Several robots that decide",
-      "The configuration of Fig. 4 with robots that all decide and have the same a_max: the " +
-          std::to_string(space.half_planes.size()) +
-          " half-planes that cut into the disc, by the number of the neighbor, and CA_A "
-          "(white), Eq. (22); dashed, the obstacles that they stand for. The linear program goes "
-          "to " +
-          point(plan.new_velocity) + " m/s (" + to_string(plan.status) + "), Eq. (23).",
-      "CA_A is convex, " + area_of(space) + "; that of Fig. 4 is not, with " +
-          area_of(space_of(neighbors_of_figure(Behavior::moves_on), true)) + ".",
-      "half-planes that the whole disc satisfies are not shown."};
+  return {"6(a)",
+          "fig-06.png",
+          "Several robots that decide",
+          "The configuration of Fig. 4 with robots that all decide and have the same a_max. The "
+          "figure has the " +
+              std::to_string(space.half_planes.size()) +
+              " half-planes that cut into the disc, by the number of the neighbor, and CA_A "
+              "(white), Eq. (22). Dashed are the obstacles that these half-planes stand for. The "
+              "linear program goes to " +
+              point(plan.new_velocity) + " m/s (" + to_string(plan.status) + "), Eq. (23).",
+          "CA_A is convex, " + area_of(space) + "; that of Fig. 4 is not, with " +
+              area_of(space_of(neighbors_of_figure(Behavior::moves_on), true)) + ".",
+          "half-planes that the whole disc satisfies are not shown."};
 }
 
 }  // namespace avo::paper

@@ -195,8 +195,8 @@ Caption draw_velocity_obstacle(const std::string& folder) {
   return {"2",
           "fig-02.png",
           "Velocity obstacle",
-          "(a) A robot A and a moving obstacle B. (b) Their relative position while both keep "
-          "their velocities; the closest approach is " +
+          "(a) A robot A and a moving obstacle B. (b) The relative position of A and B while both "
+          "keep their velocities. The closest approach is " +
               format("%.2f m", closest.distance) + " after " + format("%.2f s", closest.time) +
               ", the sum of radii " + format("%.1f m", obstacle.pair.radius) +
               ". (c) The velocity obstacle for τ = 2 s, Eqs. (4)–(6), filled by exact membership, "
@@ -220,8 +220,8 @@ Caption draw_acceleration_obstacle(const std::string& folder) {
   return {"3",
           "fig-03.png",
           "Acceleration-velocity obstacle",
-          "(a) The same pair. (b) Their relative position while *v*′ is approached by proportional "
-          "control, Eq. (9); the closest approach is " +
+          "(a) The same pair. (b) The relative position of the pair while *v*′ is approached by "
+          "proportional control, Eq. (9). The closest approach is " +
               format("%.2f m", closest.distance) + " after " + format("%.2f s", closest.time) +
               ". (c) The acceleration-velocity obstacle for δ = 2 s, τ = 4 s, Eqs. (10)–(12), "
               "filled by exact membership, with ten of its discs.",
@@ -229,8 +229,8 @@ Caption draw_acceleration_obstacle(const std::string& folder) {
           "the membership within " +
               format("%.0e m/s", boundary_error(obstacle)) + ".",
           "as printed, Eqs. (26), (29) give the points where lines from the *origin* touch a "
-          "disc, and those lie inside other discs; the boundary here is touched from the center "
-          "of similitude of neighboring discs."};
+          "disc, and these points lie inside other discs. The boundary here is touched from the "
+          "center of similitude of neighboring discs."};
 }
 
 Caption draw_reciprocal_sets(const std::string& folder) {
@@ -258,11 +258,12 @@ Caption draw_reciprocal_sets(const std::string& folder) {
       "(a) For the pair of Fig. 3, both with a_max = " + format("%.1f m/s²", kMaxAcceleration) +
           ": the relative velocities within reach, D(*v*, δ a) with radius " +
           format("%.1f m/s", sets.reach) +
-          ", without the obstacle (white), the hull of what the obstacle takes from them "
-          "(dashed) and the half-plane H, tangent at q. (b), (c) The sets of A and of B, "
-          "each with half of it, Eqs. (17)–(20).",
-      "q is the point of the hull nearest to *v*; h = " + format("%.4f m/s", sets.relative.offset) +
-          " in closed form, " + format("%.4f m/s", support) + " from the corners of the drawn set.",
+          ". White is what the obstacle leaves of these velocities, and dashed is the hull of what "
+          "the obstacle takes. The half-plane H is tangent at q. (b), (c) The sets of A and of B, "
+          "each with half of H, Eqs. (17)–(20).",
+      "q is the point of the hull nearest to *v*. The support h is " +
+          format("%.4f m/s", sets.relative.offset) + " in closed form, and " +
+          format("%.4f m/s", support) + " from the corners of the drawn set.",
       "the half-plane is exact; the paper's comes from 25 samples of the boundary."};
 }
 

@@ -206,10 +206,10 @@ Caption draw_exchange(const std::string& folder) {
               ". Newer discs are on top and darker; crosses are goals. " + numbers(run.summary),
           comparison.agrees + "The robots give way by " + detour_text(largest_detour(run, 0)) +
               " and " + detour_text(largest_detour(run, 1)) +
-              " of their straight ways, and the spacing of the discs grows as they speed up.",
+              " of their straight lines. The spacing of the discs grows as the robots speed up.",
           comparison.differs +
-              "The paper prints no positions, and its robots pass their targets at high speed; "
-              "ours come to rest there: at the end none is faster than " +
+              "The paper prints no positions, and its robots pass their targets at high speed. "
+              "Our robots come to rest there: at the end none is faster than " +
               format("%.2g m/s", final_speed(run)) + ".",
           {run.name}};
 }
@@ -225,7 +225,7 @@ Caption draw_moving_obstacle(const std::string& folder) {
           "One robot and an oncoming obstacle (gray) that does not react, " +
               parameters(run.scenario) + ". " + numbers(run.summary),
           comparison.agrees + "The robot passes the obstacle " +
-              detour_text(largest_detour(run, 0)) + " of its straight way.",
+              detour_text(largest_detour(run, 0)) + " of its straight line.",
           comparison.differs + "The paper prints no positions.",
           {run.name}};
 }
@@ -241,8 +241,8 @@ Caption draw_circle(const std::string& folder) {
           "fig-08.png",
           "Circle-100",
           "100 robots move to the opposite side of a circle, " + parameters(run.scenario) +
-              "; three instants, each with the trace of the last " + format("%g s", kTail) + ". " +
-              numbers(run.summary),
+              ". There are three instants, each with the trace of the last " +
+              format("%g s", kTail) + ". " + numbers(run.summary),
           comparison.agrees + "All robots meet in the middle: after " + format("%.1f s", times[1]) +
               " they are " + format("%.1f m", mean_distance(run.frames, times[1])) +
               " from it on average, at the start " +
@@ -268,7 +268,7 @@ Caption draw_cars(const std::string& folder) {
       "Car-like robots",
       "100 cars with random poses and goals (crosses), " + parameters(run.scenario) +
           ", with the trace of the last " + format("%g s", kCarTail) +
-          "; the circle is the disc that is kept clear, centered at the rear axle. " +
+          ". The circle is the disc that is kept clear, centered at the rear axle. " +
           numbers(run.summary),
       comparison.agrees +
           "The accelerations are turned into controls of the car by Eqs. (24), (25).",

@@ -110,14 +110,14 @@ Caption draw_speed(const std::string& folder) {
           "Processor time of a whole step (neighbors, decisions, motion) of Circle-n during its "
           "crossing, on one thread of " +
               processor() + ". Each circle was run " + std::to_string(kRuns) +
-              " times, in turns with the others, with starts and goals up to 0.1 m off; the curves "
+              " times, in turns with the others, with starts and goals up to 0.1 m off. The curves "
               "are medians over the runs. 1000 robots: median " +
               format("%.2f ms", thousand) + ", 95 % of the steps below " +
               format("%.2f ms", high.points.back().y) + ".",
           "the median for 1000 robots is " + format("%.1f", thousand / hundred) +
               " times that for 100; the paper calls its growth about linear.",
-          "the paper shows less than 30 ms for 1000 robots, for the new velocities alone, on 8 "
-          "threads of a Core i7 at 3.2 GHz. Times depend on the machine."};
+          "the paper shows less than 30 ms for 1000 robots, on 8 threads of a Core i7 at 3.2 GHz. "
+          "This time is that of the new velocities alone. Times depend on the machine."};
 }
 
 }  // namespace avo::paper

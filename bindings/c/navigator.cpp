@@ -66,7 +66,7 @@ avo_navigator_decision decision_of(const avo::NavigatorDecision& decision) {
   result.route_left = decision.route_left, result.distance_left = decision.distance_left;
   result.stopping_distance = decision.stopping_distance;
   result.without_progress = decision.without_progress;
-  result.waits_for = decision.wait ? static_cast<std::int32_t>(decision.wait->robot.value) : -1;
+  result.waits_for = decision.wait ? decision.wait->neighbor : -1;
   if (decision.wait) result.passage = to_c(decision.wait->passage);
   result.status = static_cast<avo_navigator_status>(decision.status);
   result.guide = static_cast<avo_guide>(decision.guide);

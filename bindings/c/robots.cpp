@@ -15,6 +15,8 @@ std::optional<avo::LoiterCircle> circle_of(const avo_loiter_circle& circle) {
 constexpr auto for_each_member = [](const auto& visit) {
   using Def = avo_robot_def;
   using Setup = avo::RobotSetup;
+  visit("heading", &Def::heading, &Setup::heading);
+  // scripts/fields: members of RobotSetup
   visit("position", &Def::position, &Setup::position);
   visit("velocity", &Def::velocity, &Setup::velocity);
   visit("goal", &Def::goal, &Setup::goal);
@@ -22,7 +24,6 @@ constexpr auto for_each_member = [](const auto& visit) {
   visit("max_speed", &Def::max_speed, &Setup::max_speed);
   visit("max_acceleration", &Def::max_acceleration, &Setup::max_acceleration);
   visit("preferred_speed", &Def::preferred_speed, &Setup::preferred_speed);
-  visit("heading", &Def::heading, &Setup::heading);
   visit("priority", &Def::priority, &Setup::priority);
   visit("max_braking", &Def::max_braking, &Setup::max_braking);
   visit("parked", &Def::parked, &Setup::parked);
@@ -33,6 +34,7 @@ constexpr auto for_each_member = [](const auto& visit) {
   visit("method", &Def::method, &Setup::method);
   visit("time_horizon", &Def::time_horizon, &Setup::time_horizon);
   visit("arrival_distance", &Def::arrival_distance, &Setup::arrival_distance);
+  // scripts/fields end
 };
 
 }  // namespace

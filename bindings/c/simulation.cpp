@@ -161,6 +161,15 @@ avo_result avo_simulation_set_preferred_velocity(avo_simulation_id simulation, a
   });
 }
 
+avo_result avo_simulation_set_velocity(avo_simulation_id simulation, avo_robot_id robot,
+                                       const avo_vec2* velocity) {
+  return changed(simulation, [&](Simulation& own) {
+    own.simulation.set_velocity(number_of(own, robot), velocity != nullptr
+                                                           ? std::optional(from_c(*velocity))
+                                                           : std::nullopt);
+  });
+}
+
 avo_result avo_simulation_set_goals(avo_simulation_id simulation, const avo_robot_id* robots,
                                     const avo_vec2* goals, size_t count) {
   return changed(simulation, [&](Simulation& own) {

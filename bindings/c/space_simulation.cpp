@@ -102,6 +102,18 @@ avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation, avo
   });
 }
 
+avo_result avo_space_simulation_get_touched(avo_space_simulation_id simulation, avo_robot_id robot,
+                                            avo_space_touched* touched) {
+  return guarded([&] {
+    const avo::space::Simulation& fleet = fleets.at(simulation);
+    const auto number = [](const auto& id) { return id ? id->value + 1 : 0; };
+    const avo::space::Simulation::Touched none;
+    const auto found = fleet.touched(present(fleet, robot)).value_or(none);
+    at(touched, "touched") = {
+        {number(found.robot)}, {number(found.moving_obstacle)}, {number(found.obstacle)}};
+  });
+}
+
 avo_result avo_space_simulation_is_at_goal(avo_space_simulation_id simulation, avo_robot_id robot,
                                            bool* is_at_goal) {
   return guarded([&] {

@@ -42,6 +42,7 @@ avo_summary to_c(const avo::RunSummary& run) {
       .arrived = run.arrived,
       .collision_pairs = run.collision_pairs,
       .one_sided_collisions = run.one_sided_collisions,
+      .one_sided_collisions_in_motion = run.one_sided_collisions_in_motion,
       .mover_collisions = run.mover_collisions,
       .mover_collisions_in_motion = run.mover_collisions_in_motion,
       .static_collisions = run.static_collisions,

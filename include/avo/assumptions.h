@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "avo/export.h"
+#include "avo/ids.h"
 #include "avo/scenario.h"
 
 namespace avo {
@@ -16,8 +17,8 @@ namespace avo {
 /// Two robots, or a robot and a moving obstacle, that overlap at the start or that braking no
 /// longer keeps apart.
 struct BrokenStart {
-  int robot = 0;          ///< position in Scenario::robots, the value of its id
-  int other = 0;          ///< that of the other robot, greater; or -1 - k for moving obstacle k
+  RobotId robot;
+  BodyId other;           ///< of two robots the one with the greater id
   double distance = 0.0;  ///< m, between their centers
   /// m, <= the sum of radii: the largest overlap if both brake, or circle, at once as the
   /// certificate says.
@@ -26,8 +27,8 @@ struct BrokenStart {
 
 /// A robot that starts too near a static obstacle, or that braking brings too near to one.
 struct WallStart {
-  int robot = 0;
-  int obstacle = 0;       ///< position in Scenario::obstacles, the value of its id
+  RobotId robot;
+  ObstacleId obstacle;
   double distance = 0.0;  ///< m, from the line of the obstacle's walls to the robot's center
   double kept = 0.0;      ///< m, the part of the distance that is left after braking
   double required = 0.0;  ///< m, the sum of both radii and a margin for rounding
@@ -35,13 +36,13 @@ struct WallStart {
 
 /// A robot that starts inside a solid or outside bounds (Fill).
 struct MisplacedStart {
-  int robot = 0;
-  int obstacle = 0;  ///< position in Scenario::obstacles, the value of its id
+  RobotId robot;
+  ObstacleId obstacle;
 };
 
 /// A robot that starts faster than its max_speed.
 struct FastStart {
-  int robot = 0;
+  RobotId robot;
   double speed = 0.0;  ///< m/s
 };
 
@@ -49,15 +50,16 @@ struct FastStart {
 /// away.
 struct SensingNeed {
   double range = 0.0;  ///< m, between their centers; the sum of both parts
-  int robot = 0;
-  int other = 0;  ///< as in BrokenStart
+  RobotId robot;
+  BodyId other;
   /// m: the radius, the distance of one step and the braking distance from max_speed
   double robot_part = 0.0;
   /// m: the same of the other robot; for an obstacle the distance that it moves meanwhile
   double other_part = 0.0;
 };
 
-/// All assumptions that a scene breaks, the worst first.
+/// All assumptions that a scene breaks, the worst first. Ids are those of the robots and obstacles
+/// of a Simulation of the scene.
 struct BrokenAssumptions {
   static constexpr std::size_t kNamed = 3;  ///< most entries of each list, worst first
   static constexpr int kCounted = 100'000;  ///< pairs are counted up to this number

@@ -97,8 +97,8 @@ struct CheckedRobot {
   /// what their velocities and the change between them explain. Unset: no jump is judged then.
   std::optional<double> largest_jump = {};
   /// m, from the position of a robot with a heading forward: the centers of its discs, each of
-  /// `radius`. At most 5, and 1 of a holonomic robot, whose velocities are those of the disc.
-  /// Empty: the robot is one disc.
+  /// `radius`. At most 5, and 1 of a holonomic robot, which has the velocities of the disc. Empty:
+  /// the robot is one disc.
   std::vector<double> discs = {};
 };
 

@@ -2,6 +2,7 @@
 // Stable names of the bodies of a simulation; none is used again within it.
 #pragma once
 #include <cstdint>
+#include <variant>
 
 namespace avo {
 
@@ -22,5 +23,8 @@ struct MovingObstacleId {
   std::uint64_t value = 0;  ///< moving obstacles of the scenario are 0, 1, ... in its order
   friend constexpr bool operator==(MovingObstacleId, MovingObstacleId) = default;
 };
+
+/// Names a robot or a moving obstacle.
+using BodyId = std::variant<RobotId, MovingObstacleId>;
 
 }  // namespace avo

@@ -98,6 +98,8 @@ struct RunSummary {
   std::int64_t collision_pairs = 0;
   /// distinct pairs in which only one robot avoids the other
   std::int64_t one_sided_collisions = 0;
+  /// Pairs that did in a step in which the one that avoids the other moved.
+  std::int64_t one_sided_collisions_in_motion = 0;
   std::int64_t mover_collisions = 0;  ///< distinct (robot, moving obstacle) pairs
   /// The pairs among them that overlapped in a step in which the robot moved. In any other pair the
   /// obstacle ran into a robot at rest, which no robot can prevent.

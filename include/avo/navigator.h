@@ -67,6 +67,14 @@ enum class NavigatorStatus : std::uint8_t {
 };
 AVO_API const char* to_string(NavigatorStatus status);
 
+/// The neighbor for which a navigator waits at a passage of one lane: see Simulation::Wait.
+struct NavigatorWait {
+  Vec2 passage = {};    ///< m: the middle of its axis
+  int neighbor = 0;     ///< index into the neighbors given
+  bool inside = false;  ///< whether that neighbor is in the passage
+  Vec2 a = {}, b = {};  ///< m: the two sides of the passage where it is narrowest
+};
+
 /// One decision of a navigator.
 struct NavigatorDecision {
   Plan plan;  ///< send it to the base, as docs/on_board.md says
@@ -83,9 +91,7 @@ struct NavigatorDecision {
   double stopping_distance = 0.0;  ///< m, that it needs to brake from its present velocity
   /// s, since it last made progress; 0 while it does not move to a goal
   double without_progress = 0.0;
-  /// The robot for which it waits at a passage. The value of Wait::robot is its position in the
-  /// neighbors given.
-  std::optional<Simulation::Wait> wait = {};
+  std::optional<NavigatorWait> wait = {};  ///< where it waits at a passage
 };
 
 /// Guides one robot, by the functions by which a Simulation guides all. It needs no goals of

@@ -133,7 +133,7 @@ class AVO_API Simulation {
   /// otherwise every later step throws Error.
   /// Robots of an external method first get their velocities from its function. Where there is
   /// none, where it throws, or where a velocity is not finite, the step throws and has moved
-  /// no robot. Hosts with frames of any length, who look for step(dt): see can_step_by(), and
+  /// no robot. Hosts with frames of any length that look for step(dt): see can_step_by(), and
   /// docs/manual/howto/host.md, "Time".
   void step();
 
@@ -176,6 +176,15 @@ class AVO_API Simulation {
   /// false, and it takes no part in the rules for passages and goals. The certificate holds as
   /// before. Throws Error if there is no such robot, it is parked, or the velocity is not finite.
   void set_preferred_velocity(RobotId robot, std::optional<Vec2> velocity);
+  /// Moves the robot from now on: after each step it has this velocity, m/s, whatever is in its
+  /// way, e.g. a player. It decides nothing and keeps no promise. Others see it and keep clear of
+  /// it alone: meanwhile avoids of its setup is empty. As long as the velocity changes by at most
+  /// max_acceleration * time_step a step, it touches no robot that avoids it and is in motion. With
+  /// none it brakes with max_braking, and decides again once it rests and every robot in motion
+  /// could stop before it. The first call throws Error as change_robot() does. Every call throws
+  /// Error if the velocity is faster than max_speed, if the robot is parked or has a heading, and
+  /// in scenes with free clocks or execution.
+  void set_velocity(RobotId robot, std::optional<Vec2> velocity);
   /// The same calls for many robots: one goal, velocity or setup for each robot. Where one of them
   /// is refused, they throw Error, and nothing has changed.
   void set_goals(std::span<const RobotId> robots, std::span<const Vec2> goals);
@@ -185,6 +194,8 @@ class AVO_API Simulation {
   /// The velocity that set_preferred_velocity() gave to the robot. Throws Error, as all questions
   /// about one robot do, if there is no such robot.
   [[nodiscard]] std::optional<Vec2> preferred_velocity(RobotId robot) const;
+  /// The velocity that set_velocity() gave to the robot, until it is taken back.
+  [[nodiscard]] std::optional<Vec2> host_velocity(RobotId robot) const;
   /// A moving obstacle comes: a person, a vehicle, or a player that the host moves. With a
   /// trajectory it is where the trajectory says at the present time. Throws Error on bad values
   /// (see validate). Under a certificate it also throws Error, with the arithmetic, on an obstacle
@@ -274,7 +285,7 @@ class AVO_API Simulation {
   /// Returns whether the next step ends by that time, s.
   [[nodiscard]] bool can_step_by(double time) const;
   /// s: when the robot decides next. It is now, where the clock is common; it is infinite if the
-  /// robot is parked.
+  /// robot is parked or the host moves it.
   [[nodiscard]] double next_decision(RobotId robot) const;
   /// Returns whether the robot decided in the last step; all robots that were present then count.
   [[nodiscard]] bool decided(RobotId robot) const;
@@ -326,6 +337,9 @@ class AVO_API Simulation {
     /// All walls that matter to it, and more. They are where the robot sees them, which depends on
     /// the error of its own place.
     std::vector<Wall> walls = {};
+    /// The value of each wall's ObstacleId. For the disc of a parked robot, -1 - k with the value k
+    /// of its RobotId
+    std::vector<std::int64_t> wall_source = {};
     /// For a robot that brakes until it stands, near a goal that others share (docs/arrival.md,
     /// rule 4). This is its decision, whatever it would plan, unless that is `overlapping`.
     std::optional<Plan> stop = {};

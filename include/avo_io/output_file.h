@@ -10,7 +10,7 @@
 
 namespace avo_io {
 
-/// A file that is written under a temporary name beside its target, with the target's permissions
+/// A file that is written under a temporary name beside its target. It has the target's permissions
 /// if the target exists. commit() gives the file its name. Without commit() it is removed. Links
 /// are followed. Devices, pipes and the standard output are written directly.
 class AVO_API OutputFile {

@@ -158,9 +158,7 @@ void read_geometry(State& state) {
     read_kind(state);
     return;
   }
-  const auto meant = nearest(kind, names);
-  state.words.fail(word, fmt::format("must be one of {}{}", joined(names),
-                                     meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+  state.words.fail(word, allowed_words(kind, names));
 }
 
 }  // namespace

@@ -50,11 +50,17 @@ Json constraints_of(const Decision& decision) {
   return constraints;
 }
 
-/// Returns the walls that the robot knows.
+/// Returns the walls that the robot knows, each with its obstacle or its parked robot.
 Json walls_of(const Decision& decision) {
   Json walls = Json::array();
-  for (const avo::Wall& wall : decision.seen.walls)
-    walls.push_back({{"a", to_json(wall.a)}, {"b", to_json(wall.b)}, {"radius", wall.radius}});
+  for (std::size_t k = 0; k < decision.seen.walls.size(); ++k) {
+    const avo::Wall& wall = decision.seen.walls[k];
+    const std::int64_t source = decision.seen.wall_source[k];
+    walls.push_back({{"a", to_json(wall.a)},
+                     {"b", to_json(wall.b)},
+                     {"radius", wall.radius},
+                     {source < 0 ? "robot" : "obstacle", source < 0 ? -1 - source : source}});
+  }
   return walls;
 }
 
@@ -148,6 +154,10 @@ Json half_planes_of(const Decision& decision) {
   return half_planes;
 }
 
+bool chooses_in_half_planes(const Decision& decision) {
+  return decision.by_half_planes && !avo::avoids_union(decision.method);
+}
+
 // Returns the neighbors that the robot senses.
 Json neighbors_of(const Decision& decision) {
   const auto& seen = decision.seen;
@@ -201,7 +211,7 @@ std::string to_json(const Decision& decision) {
             {"max_braking", braking_limit(self)},
             {"priority", self.priority},
             {"neighbors", neighbors_of(decision)},
-            {"rule", decision.by_half_planes ? "half_planes" : "union_of_obstacles"},
+            {"rule", chooses_in_half_planes(decision) ? "half_planes" : "union_of_obstacles"},
             {"half_planes", half_planes_of(decision)},
             {"walls", walls_of(decision)},
             {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};
@@ -209,7 +219,7 @@ std::string to_json(const Decision& decision) {
     json["certificate_kind"] = avo::to_string(decision.certificate);
     json["certificate"] = constraints_of(decision);
     json["wall_certificate"] = wall_constraints_of(decision);
-    json["detour"] = seen.detour.angle;
+    json["detour_angle"] = seen.detour.angle;
     json["response_time"] = decision.response_time;
   }
   const bool overlaps = decision.plan.status == avo::PlanStatus::overlapping;

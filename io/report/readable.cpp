@@ -30,9 +30,16 @@ std::string text_of(const avo::Wall& wall) {
              : fmt::format("the wall from {} to {}{}", text(wall.a), text(wall.b), thick);
 }
 
+/// A parked robot is a wall for others, and has its own name.
+std::string text_of_wall(const Decision& decision, int index) {
+  const auto wall = static_cast<std::size_t>(index);
+  const std::int64_t source = decision.seen.wall_source[wall];
+  return source < 0 ? text_of(-1 - source) : text_of(decision.seen.walls[wall]);
+}
+
 std::string text_of_either(const Decision& decision, int neighbor, int wall) {
   return neighbor >= 0 ? text_of(decision.seen.source[static_cast<std::size_t>(neighbor)])
-                       : text_of(decision.seen.walls[static_cast<std::size_t>(wall)]);
+                       : text_of_wall(decision, wall);
 }
 
 /// Returns text about a decision during an overlap.
@@ -63,13 +70,10 @@ std::string state_text(const Decision& decision) {
 /// keeps.
 void append_walls(const Decision& decision,
                   const std::function<void(const char*, const std::string&)>& line) {
-  const auto wall_of = [&decision](int index) {
-    return text_of(decision.seen.walls[static_cast<std::size_t>(index)]);
-  };
   const auto append = [&](const char* name, const std::vector<avo::WallPlane>& planes) {
     for (const avo::WallPlane& plane : planes)
       line(name, fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.plane.normal),
-                             plane.plane.offset, wall_of(plane.wall)));
+                             plane.plane.offset, text_of_wall(decision, plane.wall)));
   };
   const bool is_avo = avo::method_traits(decision.method).has_rules;
   append("speed before wall", decision.wall_planes.speeds);
@@ -77,7 +81,7 @@ void append_walls(const Decision& decision,
   for (const avo::WallConstraint& constraint : decision.wall_constraints)
     line("wall constraint",
          fmt::format("{:.6g} m from {}, braking leaves {:.6g} m", constraint.held,
-                     wall_of(constraint.wall), constraint.distance));
+                     text_of_wall(decision, constraint.wall), constraint.distance));
 }
 
 /// Appends the number of constraints, and the first one of each of the nearest neighbors.

@@ -80,6 +80,7 @@ std::string to_json(const avo::RunSummary& summary) {
   json["first_collision_time"] = or_null(summary.first_collision_time);
   json["collision_pairs"] = summary.collision_pairs;
   json["one_sided_collisions"] = summary.one_sided_collisions;
+  json["one_sided_collisions_in_motion"] = summary.one_sided_collisions_in_motion;
   json["mover_collisions"] = summary.mover_collisions;
   json["mover_collisions_in_motion"] = summary.mover_collisions_in_motion;
   json["mover_collisions_evadable"] = or_null(summary.mover_collisions_evadable);

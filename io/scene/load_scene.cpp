@@ -20,8 +20,8 @@ std::string not_found(const std::string& path) {
   std::vector<std::string_view> names;
   for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
   const auto meant = nearest_scene(path);
-  return fmt::format("{}: found no such file and no scene of that name, scenes are {}{}", path,
-                     joined(names), meant ? fmt::format("; did you mean \"{}\"?", *meant) : "");
+  return fmt::format("{}: found no such file and no scene of that name, {}cenes are {}", path,
+                     meant ? fmt::format("did you mean \"{}\"? S", *meant) : "s", joined(names));
 }
 
 avo::Scenario loaded(const std::string& name_or_path, const std::vector<std::string>& overrides,

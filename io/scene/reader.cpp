@@ -50,10 +50,8 @@ void Reader::check_keys(const YamlNode& map, const std::string& path,
   for (std::size_t i = 0; i < map.children.size(); i += 2) {
     const YamlNode& key = map.children[i];
     if (std::find(allowed.begin(), allowed.end(), key.text) == allowed.end()) {
-      const auto meant = nearest(key.text, allowed);
       fail(key, path, "the unknown key " + in_quotes(key.text),
-           (allowed.empty() ? "no key is allowed" : "allowed are " + joined(allowed)) +
-               (meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+           allowed.empty() ? "no key is allowed" : allowed_words(key.text, allowed, "allowed are"));
     }
     for (std::size_t j = 0; j < i; j += 2)
       if (map.children[j].text == key.text)
@@ -258,10 +256,8 @@ void Reader::set(std::vector<avo::TimedPlace>& value, const YamlNode& node, cons
 
 void Reader::fail_choice(const YamlNode& node, const std::string& path,
                          const std::vector<std::string_view>& words) const {
-  const auto meant = node.kind == YamlNode::Kind::text ? nearest(node.text, words) : std::nullopt;
   fail(node, path, shown(node),
-       fmt::format("must be one of {}{}", joined(words),
-                   meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+       allowed_words(node.kind == YamlNode::Kind::text ? node.text : "", words));
 }
 
 void Reader::fail_missing(const YamlNode& map, const std::string& path, std::string_view key,

@@ -8,10 +8,8 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "avo/assumptions.h"
@@ -19,6 +17,7 @@
 #include "io/files/file_names.h"
 #include "io/maps/stairs.h"
 #include "io/recording/recorded_scene.h"
+#include "io/scene/coincident.h"
 #include "io/scene/origins.h"
 #include "io/scene/overrides.h"
 #include "io/scene/placement.h"
@@ -205,36 +204,17 @@ class SceneBuilder {
                    "must be given");
   }
 
-  /// Refuses robots at one point: they cannot tell in which direction to part. Robots that avoid no
-  /// other robot there are allowed.
   void refuse_coincident() const {
-    const auto& robots = scenario_.robots;
-    std::vector<std::size_t> order(robots.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto key = [&](std::size_t i) {
-      return std::tuple(robots[i].position.x, robots[i].position.y, i);
-    };
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-    avo::RobotSetup all;  // at one point
-    for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
-      const std::size_t b = order[i];
-      if (!(robots[order[first]].position == robots[b].position)) first = i;
-      if (first == i) all = robots[b];
-      const bool clear = first == i || !keep_apart(all, robots[b]);
-      all.layers.bits |= robots[b].layers.bits, all.avoids.bits |= robots[b].avoids.bits;
-      all.parked = all.parked || robots[b].parked;
-      if (clear || scenario_.allow_broken_assumptions) continue;
-      const std::size_t a =
-          *std::find_if(order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
-                        [&](std::size_t other) { return keep_apart(robots[other], robots[b]); });
-      const YamlNode* position = origins_[b]->find("position");
-      reader_.fail(position != nullptr ? *position : *origins_[b],
-                   fmt::format("robots.{}.position", b),
-                   fmt::format("[{}, {}], the position of robots.{}", robots[b].position.x,
-                               robots[b].position.y, a),
-                   "must differ from it");
-    }
+    if (scenario_.allow_broken_assumptions) return;
+    const auto pair = find_coincident(scenario_.robots);
+    if (!pair) return;
+    const auto [a, b] = *pair;
+    const YamlNode* position = origins_[b]->find("position");
+    const avo::Vec2 place = scenario_.robots[b].position;
+    reader_.fail(position != nullptr ? *position : *origins_[b],
+                 fmt::format("robots.{}.position", b),
+                 fmt::format("[{}, {}], the position of robots.{}", place.x, place.y, a),
+                 "must differ from it");
   }
 
   void validate() const {

@@ -16,8 +16,8 @@ class SpaceClearances {
  public:
   explicit SpaceClearances(const avo::space::Scenario& scenario);
   /// Fills the clearances at one of the times in the block, m: from the body of the nearest other
-  /// robot, downwash included; less than 0: they overlap; infinite: there is no other robot;
-  /// not a number: it is not there.
+  /// robot, downwash included. Below 0, the two overlap. The clearance is infinite without another
+  /// robot, and not a number for a robot that is not there.
   void find(const BlockShape& shape, std::size_t time, RecordingBlock& block);
   /// Fills the clearances of all robots of the scene at their present places, m.
   void find(std::span<const avo::space::Robot> robots, std::span<float> clearance);

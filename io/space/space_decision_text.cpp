@@ -29,18 +29,9 @@ std::string text(Vec3 v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);  // no -0
 }
 
-std::string text_of(const Explanation& why, Cause cause) {
-  if (cause.neighbor >= 0)
-    return fmt::format("robot {}", id_at(why.seen.neighbor_ids, cause.neighbor));
-  if (cause.box >= 0) return fmt::format("obstacle {}", id_at(why.seen.box_ids, cause.box));
-  if (cause.mover >= 0)
-    return fmt::format("moving obstacle {}", id_at(why.seen.mover_ids, cause.mover));
-  return "its own limits";
-}
-
-std::string text_of(const Explanation& why, const std::vector<Cause>& causes) {
+std::string names_in_text(const Explanation& why, const std::vector<Cause>& causes) {
   std::string list;
-  for (const Cause cause : causes) list += (list.empty() ? "" : ", ") + text_of(why, cause);
+  for (const Cause cause : causes) list += (list.empty() ? "" : ", ") + name_of(why, cause);
   return list;
 }
 
@@ -48,8 +39,8 @@ Json in_json(Vec3 v) {
   return Json::array({v.x, v.y, v.z});
 }
 
-/// Returns the name of a neighbor, a box or a moving obstacle; null for the robot's own limits.
-Json name_of(const Explanation& why, Cause cause) {
+/// Returns a robot's id, or the key of an obstacle; null for the robot's own limits.
+Json key_of(const Explanation& why, Cause cause) {
   if (cause.neighbor >= 0) return id_at(why.seen.neighbor_ids, cause.neighbor);
   if (cause.box >= 0) return fmt::format("obstacles.{}", id_at(why.seen.box_ids, cause.box));
   if (cause.mover >= 0)
@@ -57,14 +48,14 @@ Json name_of(const Explanation& why, Cause cause) {
   return nullptr;
 }
 
-Json names_of(const Explanation& why, const std::vector<Cause>& causes) {
+Json keys_of(const Explanation& why, const std::vector<Cause>& causes) {
   Json names = Json::array();
-  for (const Cause cause : causes) names.push_back(name_of(why, cause));
+  for (const Cause cause : causes) names.push_back(key_of(why, cause));
   return names;
 }
 
 Json in_json(const Explanation& why, const avo::space::Neighbor& other, int index) {
-  Json json{{"neighbor", name_of(why, {index, -1, -1})},
+  Json json{{"neighbor", key_of(why, {index, -1, -1})},
             {"position", in_json(other.position)},
             {"velocity", in_json(other.velocity)},
             {"radius", other.radius},
@@ -78,7 +69,7 @@ Json in_json(const Explanation& why, const avo::space::Neighbor& other, int inde
 }
 
 Json in_json(const Explanation& why, const avo::space::Mover& other, int index) {
-  Json json{{"neighbor", name_of(why, {-1, -1, index})},
+  Json json{{"neighbor", key_of(why, {-1, -1, index})},
             {"position", in_json(other.position)},
             {"velocity", in_json(other.velocity)},
             {"acceleration", in_json(other.acceleration)},
@@ -118,7 +109,7 @@ Json half_spaces_in_json(const Explanation& why, bool of_boxes) {
   Json half_spaces = Json::array();
   for (const avo::space::CausedHalfSpace& plane : why.decision.half_spaces) {
     if (plane.of == Cause{} || (plane.of.box >= 0) != of_boxes) continue;
-    half_spaces.push_back({{of_boxes ? "obstacle" : "neighbor", name_of(why, plane.of)},
+    half_spaces.push_back({{of_boxes ? "obstacle" : "neighbor", key_of(why, plane.of)},
                            {"normal", in_json(plane.normal)},
                            {"offset", plane.offset}});
   }
@@ -132,20 +123,20 @@ Json trace_of(const Explanation& why) {
   return {{"guide", avo::to_string(why.seen.guide)},
           {"wish", in_json(trace.wish)},
           {"rule", avo::to_string(trace.rule)},
-          {"heeded", heeds ? name_of(why, {trace.heeded, -1, -1}) : Json()},
+          {"heeded", heeds ? key_of(why, {trace.heeded, -1, -1}) : Json()},
           {"aim", in_json(trace.aim)},
           {"target", in_json(trace.target)},
-          {"binding", names_of(why, trace.binding)},
+          {"binding", keys_of(why, trace.binding)},
           {"proposal", in_json(trace.proposal)},
-          {"refusing", names_of(why, trace.refusing)},
+          {"refusing", keys_of(why, trace.refusing)},
           {"detour", trace.detour ? in_json(*trace.detour) : Json()},
-          {"refusing_detour", names_of(why, trace.refusing_detour)}};
+          {"refusing_detour", keys_of(why, trace.refusing_detour)}};
 }
 
 Json evasion_of(const Explanation& why) {
   if (!why.decision.evasion) return nullptr;
   const avo::space::Evasion& evasion = *why.decision.evasion;
-  return {{"neighbor", name_of(why, {-1, -1, evasion.mover})},
+  return {{"neighbor", key_of(why, {-1, -1, evasion.mover})},
           {"velocity", in_json(evasion.velocity)},
           {"until", why.time + evasion.duration}};
 }
@@ -159,7 +150,7 @@ Json wait_of(const Explanation& why) {
 std::string evasion_text(const Explanation& why) {
   const avo::space::Evasion& evasion = *why.decision.evasion;
   const std::string whom =
-      evasion.mover >= 0 ? text_of(why, {-1, -1, evasion.mover}) : "the moving obstacles around it";
+      evasion.mover >= 0 ? name_of(why, {-1, -1, evasion.mover}) : "the moving obstacles around it";
   if (!(evasion.duration > 0.0)) return whom + ": it brakes";
   return fmt::format("{}: towards {} m/s until {:.6g} s, and then it could brake", whom,
                      text(evasion.velocity), why.time + evasion.duration);
@@ -179,26 +170,27 @@ void append_seen(const Explanation& why, const Line& line) {
                            counted(seen.movers.size(), "moving obstacle", "moving obstacles")));
   const auto carried_on = [&](Cause cause, int age) {
     if (age > 0)
-      line("carried on", fmt::format("{}, last sensed {} {} ago", text_of(why, cause), age,
+      line("carried on", fmt::format("{}, last sensed {} {} ago", name_of(why, cause), age,
                                      age == 1 ? "step" : "steps"));
   };
   for (int k = 0; const auto& other : seen.neighbors) carried_on({k++, -1, -1}, other.age);
   for (int k = 0; const auto& other : seen.movers) carried_on({-1, -1, k++}, other.age);
   for (const avo::space::CausedHalfSpace& plane : why.decision.half_spaces)
     line("half-space", fmt::format("{} . v' >= {:.6g} m/s, of {}", text(plane.normal), plane.offset,
-                                   text_of(why, plane.of)));
+                                   name_of(why, plane.of)));
 }
 
 /// Appends the stages between the preferred velocity and the decision that changed something.
 void append_stages(const Explanation& why, const Line& line) {
   const avo::space::DecisionTrace& trace = why.decision;
   const auto refused = [&](const std::vector<Cause>& causes) {
-    return causes.empty() ? std::string("admitted") : "refused because of " + text_of(why, causes);
+    return causes.empty() ? std::string("admitted")
+                          : "refused because of " + names_in_text(why, causes);
   };
   if (trace.rule != avo::WishRule::none)
     line("wish", fmt::format("{} m/s, {}", text(trace.wish), avo::to_string(trace.rule)));
   if (!trace.binding.empty())
-    line("target", text(trace.target) + " m/s, bound by " + text_of(why, trace.binding));
+    line("target", text(trace.target) + " m/s, bound by " + names_in_text(why, trace.binding));
   if (!trace.refusing.empty())
     line("proposal", text(trace.proposal) + " m/s, " + refused(trace.refusing));
   if (trace.detour)
@@ -236,7 +228,7 @@ std::string readable(const Explanation& why, const std::string& scene) {
                                                      : "unknown: that it is safe is not proved");
   if (plan.status == avo::PlanStatus::overlapping)
     line("contact", fmt::format("{:.6g} m deep with {}, now or in spite of braking", plan.depth,
-                                text_of(why, contact_of(plan))));
+                                name_of(why, contact_of(plan))));
   line("status",
        fmt::format("{}, violation {:.6g} m/s", avo::to_string(plan.status), plan.violation));
   line("in words", why.sentence);
@@ -247,8 +239,8 @@ std::string to_json(const Explanation& why, const std::string& scene) {
   const avo::space::Robot& self = why.seen.robot;
   const avo::space::Plan& plan = why.decision.plan;
   const bool overlaps = plan.status == avo::PlanStatus::overlapping;
-  Json boxes = Json::array();
-  for (const avo::ObstacleId box : why.seen.box_ids) boxes.push_back(box.value);
+  Json obstacles = Json::array();
+  for (const avo::ObstacleId obstacle : why.seen.box_ids) obstacles.push_back(obstacle.value);
   const Json json{{"scene", scene},
                   {"robot", why.robot.value},
                   {"time", why.time},
@@ -260,10 +252,10 @@ std::string to_json(const Explanation& why, const std::string& scene) {
                   {"max_acceleration", self.max_acceleration},
                   {"priority", self.priority},
                   {"neighbors", neighbors_in_json(why)},
-                  {"boxes", boxes},
+                  {"obstacles", obstacles},
                   {"half_spaces", half_spaces_in_json(why, false)},
                   {"obstacle_half_spaces", half_spaces_in_json(why, true)},
-                  {"detour", why.seen.detour.angle},
+                  {"detour_angle", why.seen.detour.angle},
                   {"preferred_velocity", in_json(self.preferred_velocity)},
                   {"new_velocity", in_json(plan.new_velocity)},
                   {"next_velocity", in_json(plan.next_velocity)},
@@ -274,7 +266,7 @@ std::string to_json(const Explanation& why, const std::string& scene) {
                   {"waits", wait_of(why)},
                   {"state", avo::to_string(plan.state)},
                   {"status", avo::to_string(plan.status)},
-                  {"contact_with", name_of(why, contact_of(plan))},
+                  {"contact_with", key_of(why, contact_of(plan))},
                   {"contact_depth", overlaps ? Json(plan.depth) : Json()},
                   {"violation", plan.violation},
                   {"version", avo::kVersion}};

@@ -28,7 +28,7 @@ struct SpaceMoment {
 
 /// Appends the shortest digits that read back to the same bits.
 void append_number(double value, std::string& line);
-/// Returns the first line of CSV, whose last column is "every" if that is more than 1.
+/// Returns the first line of CSV. Its last column is "every" if that is more than 1.
 std::string space_csv_header(std::int64_t every);
 /// Appends the lines of one time as CSV; the last column is "every" if that is more than 1.
 void append_csv_lines(const SpaceMoment& moment, std::string& lines);
@@ -60,7 +60,7 @@ class SpaceRows {
   /// Throws RecordingError that names the place of that robot's row in the last time, or of its
   /// last row.
   [[noreturn]] void fail(const std::string& what, std::optional<std::int64_t> robot = {}) const;
-  /// Refuses a row of the last time whose robot is none of so many, those of the scene.
+  /// Refuses a row of the last time if its robot is none of so many, those of the scene.
   void require_known(const SpaceMoment& moment, std::size_t robots) const;
 
  private:

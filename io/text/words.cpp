@@ -3,6 +3,7 @@
 #include "io/text/words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <fmt/format.h>
 #include <system_error>
@@ -105,6 +106,14 @@ std::optional<double> to_double(std::string_view text) {
   double value = 0.0;
   if (read_decimal(text, value) != std::errc()) return std::nullopt;
   return value + 0.0;
+}
+
+std::string allowed_words(std::string_view given, const std::vector<std::string_view>& words,
+                          std::string before) {
+  const auto meant = nearest(given, words);
+  if (!meant) return fmt::format("{} {}", before, joined(words));
+  before.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(before.front())));
+  return fmt::format("did you mean \"{}\"? {} {}", *meant, before, joined(words));
 }
 
 }  // namespace avo_io

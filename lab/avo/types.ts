@@ -137,7 +137,7 @@ export interface SceneInfo {
   broken_assumptions: string[]; // of the certificate; empty: its promise is valid
 }
 
-/** A moving obstacle. Of a scene of space it is known where it is at any time, in m, m/s, m/s^2 and s. */
+/** A moving obstacle. In a scene of space it is known where it is at any time, in m, m/s, m/s^2 and s. */
 export interface MovingObstacleInfo {
   radius: number;
   position?: number[];
@@ -148,6 +148,7 @@ export interface MovingObstacleInfo {
 
 /** A robot to add; omitted values have the defaults of scene files. */
 export interface RobotSetup {
+  // scripts/fields: members of RobotSetup
   position: [number, number]; // m
   velocity?: [number, number]; // m/s
   goal: [number, number]; // m
@@ -155,11 +156,6 @@ export interface RobotSetup {
   max_speed?: number; // m/s
   max_acceleration?: number; // m/s^2
   preferred_speed?: number; // m/s
-  model?: RobotInfo["model"];
-  heading?: number; // rad
-  car?: Car;
-  drive?: DifferentialDrive;
-  airplane?: Airplane;
   priority?: number;
   max_braking?: number; // m/s^2
   parked?: boolean;
@@ -170,6 +166,12 @@ export interface RobotSetup {
   method?: string;
   time_horizon?: number; // s
   arrival_distance?: number; // m
+  // scripts/fields end
+  model?: RobotInfo["model"];
+  heading?: number; // rad
+  car?: Car;
+  drive?: DifferentialDrive;
+  airplane?: Airplane;
 }
 
 export interface Car {

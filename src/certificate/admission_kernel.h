@@ -12,8 +12,9 @@
 
 AVO_BEGIN_KERNELS
 
-/// n·y_i + offset_i in meters, at the three points of the constraint's interval. Where a constraint
-/// has a cone, the part of the cone is subtracted.
+/// n·y_i + offset_i in meters, at the three points of the constraint's interval. It is the left
+/// side of the rule: where A and B keep it >= 0, n·(y_A - y_B)_i >= r by S2. Where errors of
+/// sensing make n uncertain, the constraint has a cone, and the part of the cone is subtracted.
 template <typename Real>
 struct PackCoefficients {
   Real start, middle, end;
@@ -28,7 +29,8 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumnsOf<D>& con
   const Vec<Real, D> n = load_vector<Real, D>(constraints.normal, k);
   const Real m = Real::load(&constraints.interval[k]);
   const auto later = m > zero;  // the interval is later than the step of the decision
-  // the distances of the interval's points along the braking path that follows the first step
+  // y_i = first + distance_i · along. The distances are along the braking path that follows the
+  // first step, so that its interval is m - 1.
   const PackProfile<Real> braking = constant<Real>(path.braking);
   const PackDistances<Real> before = distances(braking, law, max(m - one, zero));
   const Real end = distances(braking, law, m).start;
@@ -49,12 +51,12 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumnsOf<D>& con
               result.end - off(end, x.end) - cone * Real(path.bend)};
   }
   // In the interval of the step the candidate shares y_0 and y_1 with the braking path. The other
-  // case is in keeps_swing(). The bend of an arc lowers the value at the end.
+  // case is in keeps_swing() of admission.cpp. The bend of an arc lowers the value at the end.
   return {select(later, result.start, infinity), select(later, result.middle, infinity),
           select(later, result.end, result.end - Real(path.bend))};
 }
 
-/// Returns whether the path keeps all constraints. They are judged as far as they are asked for.
+/// Returns whether the path keeps all constraints. They are tested as far as they are asked for.
 template <typename Real, int D>
 bool keeps(const BrakingOf<D>& own, const CandidatePathOf<D>& path, const StepLaw& law,
            bool has_cones, Asked asked_for, ConstraintColumnsOf<D>& constraints) {
@@ -62,17 +64,17 @@ bool keeps(const BrakingOf<D>& own, const CandidatePathOf<D>& path, const StepLa
   bool kept = true;
   std::size_t k = 0;
   for (; k < constraints.count && (kept || asked_for == Asked::all); k += Real::kLanes) {
-    const PackCoefficients<Real> left =
+    const PackCoefficients<Real> slack =
         coefficients<Real>(constraints, k, own, path, law, has_cones);
     const auto asked = Real::load(&constraints.needs[k]) < Real(static_cast<double>(path.moving));
     const auto counted = lane_numbers<Real>() < Real(static_cast<double>(constraints.count - k));
-    // a value that is not a number is never admitted
-    const auto good = (left.start >= zero) & (left.middle >= zero) & (left.end >= zero);
+    // S3: the three points keep the whole interval clear. NaN is never admitted
+    const auto good = (slack.start >= zero) & (slack.middle >= zero) & (slack.end >= zero);
     kept = kept && !any(counted & asked & !good);
-    select(asked, min(min(left.start, left.middle), left.end), infinity)
+    select(asked, min(min(slack.start, slack.middle), slack.end), infinity)
         .store(&constraints.coefficient[k]);
   }
-  constraints.judged = std::min(k, constraints.count);
+  constraints.tested = std::min(k, constraints.count);
   return kept;
 }
 

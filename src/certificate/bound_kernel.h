@@ -24,8 +24,8 @@ struct PackBound {
   Real most_ahead, most_aside;  // m
 };
 
-/// An upper bound of the distance of one step and stopping for a robot of speed v, as a polynomial
-/// in v: v²/2a and the loss by stopping in steps.
+/// An upper bound of the distance of one step and stopping for a robot of speed v. It is a
+/// polynomial in v: v²/2a and the loss by stopping in steps.
 template <typename Real>
 AVO_KERNEL std::array<Real, 3> reach_bound(Real increment, Real u, const StepLaw& law) {
   const Real h(law.time_step), half(0.5), per_u = Real(1.0) / u;

@@ -27,7 +27,7 @@ struct CertificateConstraints {
   std::vector<LoiterLine> loiterers;
   WallConstraints walls;           ///< by begin_walls_of()
   FootprintConstraints footprint;  ///< of a robot with a footprint: in place of those above
-  CandidatePath path;              ///< of the last judged candidate
+  CandidatePath path;              ///< of the last tested candidate
   NearPairs near;                  ///< of all robots that find_near() was given
   // of a robot that is planned alone
   RobotColumns alone;
@@ -47,9 +47,9 @@ void reserve_constraints(std::size_t neighbors, std::size_t braking_steps,
 void find_near(const RobotColumns& robots, const CertificateLaw& law,
                CertificateConstraints& constraints);
 
-/// Begins the constraints of the neighbors of robot i, an index into the robots that find_near()
-/// was last given. admits() collects the constraints that may refuse a candidate. Its walls come
-/// from begin_walls_of(), which must come first.
+/// Begins the constraints of the neighbors of a robot. i is its index in the robots that
+/// find_near() was last given. admits() collects the constraints that may refuse a candidate. Its
+/// walls come from begin_walls_of(), which must come first.
 void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size_t i,
                        const CertificateLaw& law, CertificateConstraints& constraints);
 /// Begins the constraints of the walls near a robot, or near its discs.

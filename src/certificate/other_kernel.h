@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // B's path, for as many intervals at once as Pack has lanes: where B brakes, or moves on as it may.
-// `at` has the points of the intervals k, k + 1, ..., whose numbers are also in the lanes of m.
+// `at` has the points of the intervals k, k + 1, ...; their numbers are also in the lanes of m.
 #ifndef AVO_CERTIFICATE_OTHER_KERNEL_H
 #define AVO_CERTIFICATE_OTHER_KERNEL_H
 

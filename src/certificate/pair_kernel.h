@@ -50,9 +50,8 @@ struct PackPair {
 };
 
 /// Rounding moves a pair by at most 2^-50 of its lengths a step. While both brake these errors add
-/// up, for at most so many steps; a decision reduces the sum by a share.
-/// docs/certificate/rounding.md; four times the bound that is derived there. In space:
-/// docs/space.md, "Rounding".
+/// up, for at most so many steps. A decision reduces the sum by a share. It is four times the bound
+/// in docs/certificate/rounding.md. In space: docs/space.md, "Rounding".
 template <typename Real, int D = 2>
 AVO_KERNEL Real rounding_margin(Real lengths, Real intervals, Real shrinks) {
   return Real(D == 2 ? 0x1p-48 : 0x1p-46) * lengths * (Real(1.0) + intervals) / shrinks;

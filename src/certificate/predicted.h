@@ -62,9 +62,9 @@ bool keeps_off(const HullOf<D>& relative, double distance);
 template <int D>
 bool rests_clear(const PredictedOf<D>& other, VectorOf<D> place, double time, double wider = 0.0);
 /// Tests (C2) for an interval that begins `elapsed` s after the time `from`, when A decides to
-/// brake and sees the mover. The mover is then within each of two discs, about its predicted path,
-/// and about its predicted place at `from` (docs/certificate/movers.md, "Movers that do as they
-/// like"). A's path must keep off one of them.
+/// brake and sees the mover. The mover is then within each of two discs: about its predicted path,
+/// and about its predicted place at `from`. See docs/certificate/movers.md, "Movers that do as they
+/// like". A's path must keep off one of them.
 template <int D>
 bool is_reached_at_rest(const PredictedOf<D>& other, const HullOf<D>& own, double from,
                         double elapsed, const StepLaw& law);

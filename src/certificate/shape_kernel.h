@@ -169,10 +169,11 @@ AVO_KERNEL PackHeights<Real> heights_of(const PackPoints<Real, 3>& q) {
           (middle < zero) | (no_middle & (ends < zero)) | (no_ends & (start < zero))};
 }
 
-/// The direction, among those of a few points, that proves the largest distance of the triangle q
-/// from the pair's segment; 0 where all points are the origin. The direction of the nearest point
-/// is among them, and no direction proves more than that. So no sign of rounding noise decides
-/// anything. Odd, bit for bit, where q is negated and the pair's shape turned upside down.
+/// The direction that proves the largest distance of the triangle q from the pair's segment, among
+/// the directions of a few points. It is 0 where all points are the origin. The direction of the
+/// nearest point is among them, and no direction proves more than that. So no sign of rounding
+/// noise decides anything. Odd, bit for bit, where q is negated and the pair's shape turned upside
+/// down.
 template <typename Real>
 AVO_KERNEL Vec<Real, 3> normal_of(const PackPoints<Real, 3>& q, const PairShape<3>& shape) {
   const Real zero(0.0);

@@ -26,8 +26,7 @@ inline constexpr std::size_t kMostWorkers = 1024;
 std::shared_ptr<Executor> make_executor(std::size_t workers);
 
 /// Wraps the host's executor, which is not trusted. run() throws Error unless each task was called
-/// once, by one of the workers that the host had at first. A task that is called again does
-/// nothing.
+/// once, by a worker that the host had at first. A task does nothing in its second call.
 std::shared_ptr<Executor> counted(std::shared_ptr<Executor> host);
 
 /// With fewer robots threads cost more than they save, and on a busy machine far more.

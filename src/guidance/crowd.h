@@ -28,9 +28,9 @@ bool stands_on_goal(const Resting& other) {
   return other.from_goal_squared < most * most && std::sqrt(other.from_goal_squared) < other.reach;
 }
 
-/// Returns whether robots at rest lead from the seeker to one that stands on its goal. starts(next)
-/// tells whether the seeker does not fit through between itself and that robot, and leads(one)
-/// gives the same of a robot. It moves the examined ones to the front.
+/// Returns whether robots at rest lead from the seeker to a robot that stands on its goal.
+/// For a robot, starts(next) tells whether the seeker does not fit through between the two.
+/// leads(one) gives the same test for a robot at rest. The examined robots are moved to the front.
 template <typename Iterator, typename Starts, typename Leads>
 bool leads_to_goal(Iterator first, Iterator last, const Starts& starts, const Leads& leads) {
   auto reached = std::partition(first, last, starts);

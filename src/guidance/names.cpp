@@ -46,7 +46,11 @@ Words name_of(const Wall& wall) {
 
 Words name_of(const Explanation& e, Cause cause) {
   if (cause.neighbor >= 0) return name_of(e.seen.source[static_cast<std::size_t>(cause.neighbor)]);
-  if (cause.wall >= 0) return name_of(e.seen.walls[static_cast<std::size_t>(cause.wall)]);
+  const auto wall = static_cast<std::size_t>(cause.wall);
+  if (cause.wall >= 0) {
+    const bool is_robot = wall < e.seen.wall_source.size() && e.seen.wall_source[wall] < 0;
+    return is_robot ? name_of(-1 - e.seen.wall_source[wall]) : name_of(e.seen.walls[wall]);
+  }
   return can_rest(e.seen.robot.model) ? "its own wheels" : "its own wings";
 }
 

@@ -25,7 +25,7 @@ Words binds(const Words& whom, bool are_several, const Words& half_plane);
 /// A robot off its route by that angle, or nearly off.
 Words is_on_detour(double radians, const Words& whom, bool is_refused, const Words& half_planes);
 Words evades(const Words& whom, bool brakes);
-/// whom: empty if it is not known.
+/// An empty name is an unknown one.
 Words is_in_contact(const Words& whom);
 /// Nothing limits the robot. has_it: it has the velocity that it prefers.
 Words is_free(bool has_it);

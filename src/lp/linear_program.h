@@ -41,8 +41,8 @@ constexpr std::size_t program_rows(std::size_t planes) {
 /// Among equally unsafe points (two parallel half-planes leave a segment of them) it is the one
 /// nearest `preferred`. discs_disjoint disregards the half-planes.
 ///
-/// Bounds, with ulp = 2^-52, and c and r of the disc in question, none of them denormal. m is
-/// |c| + r of the smaller disc, or of the larger disc where the circles cross:
+/// Bounds, with ulp = 2^-52, and c and r of the disc in question, none of them denormal. m is |c| +
+/// r of the smaller disc, or of the larger disc where the circles cross.
 ///  (1) |point - c| <= r + 4 ulp (|c| + r) for both discs, hence r (1 + 4 ulp) around the origin;
 ///      the speed disc is left only in state discs_disjoint;
 ///  (2) half-planes are violated by 32 ulp m at most if state is optimal; 8 ulp (|c| + r) of the

@@ -73,7 +73,9 @@ void Events::State::observe_robot(const Simulation& simulation, std::size_t row,
   Watched& robot = robots[row];
   const RobotLook look{time, simulation.time(), stuck_after, !(goal == robot.goal)};
   watch_goal(robot, goal, simulation.is_at_goal(robot.id), events);
-  const auto is_steered = [&] { return simulation.preferred_velocity(robot.id).has_value(); };
+  const auto is_steered = [&] {
+    return simulation.preferred_velocity(robot.id) || simulation.host_velocity(robot.id);
+  };
   const double length = simulation.route(robot.id).length;
   if (watch_progress(robot, position, length, look, is_steered, events))
     events.back().sentence = simulation.explain(robot.id).sentence;

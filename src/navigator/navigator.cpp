@@ -61,6 +61,13 @@ void NavigatorState::begin(Mission next) {
 
 namespace {
 
+// On board, a robot has no id: it is known by its index in the neighbors given.
+std::optional<NavigatorWait> wait_of(const std::optional<Simulation::Wait>& wait) {
+  if (!wait) return std::nullopt;
+  return NavigatorWait{wait->passage, static_cast<int>(wait->robot.value), wait->inside, wait->a,
+                       wait->b};
+}
+
 // A base that does not execute exactly has a reference, which decides in its place.
 Robot deciding(const NavigatorState& state, const Robot& body) {
   return state.tracker ? state.tracker->reference(body) : body;
@@ -244,7 +251,7 @@ NavigatorDecision Navigator::step(const Robot& body, std::span<const Neighbor> n
   memory.time = time;
   ++memory.decisions;
   decision.status = status_of(state, robot, since);
-  decision.guide = out.guide, decision.wait = out.wait;
+  decision.guide = out.guide, decision.wait = wait_of(out.wait);
   decision.preferred_velocity = out.robot.preferred_velocity;
   const Simulation::Route route = route_left(state, memory, robot);
   decision.route_left = route.length, decision.distance_left = route.distance_left;

@@ -9,7 +9,7 @@ namespace avo::inline obstacles {
 constexpr int kMaxIterations = 64;
 // How often a horn's near side may cross the circle |w| = R. It is once, which is nearly always
 // known beforehand, or several times; the near side must then be followed.
-enum class Look : unsigned char { once, often };
+enum class Crossed : unsigned char { once, often };
 constexpr std::size_t kMostCrossings = 3;
 // Along a near side that is followed, with halved strides.
 constexpr int kMaxStrides = 48;

@@ -33,17 +33,17 @@ RelativeHalfPlane separate(const Pair& pair, double reach, const Horizon& horizo
 
 using Solved = scalar::HornPlane<Real>;
 
-Solved horn(const scalar::Local<Real>& local, const Horizon& horizon) {
+Solved solve_horn(const scalar::Local<Real>& local, const Horizon& horizon) {
   const ResponseTable table = horizon.table();
-  Solved solved = scalar::horn<Look::once>(local, horizon.end(), table);
-  if (!solved.settled.bit) solved = scalar::horn<Look::often>(local, horizon.end(), table);
+  Solved solved = scalar::horn<Crossed::once>(local, horizon.end(), table);
+  if (!solved.settled.bit) solved = scalar::horn<Crossed::often>(local, horizon.end(), table);
   return solved.settled.bit ? solved : searched_horn(local, horizon);
 }
 
 Solved local_half_plane(const scalar::LocalFrame<Real>& frame, const Horizon& horizon) {
   const scalar::Tip<Real> tip = scalar::tip(frame.local, horizon.end());
   if (tip.nearest.bit) return {tip.plane, {true}, tip.plane.h <= -frame.local.R};
-  if (!frame.on_collision_course.bit) return horn(frame.local, horizon);
+  if (!frame.on_collision_course.bit) return solve_horn(frame.local, horizon);
   return {scalar::convex(frame.local, horizon.table()), {true}, {false}};
 }
 

@@ -51,19 +51,18 @@ AVO_KERNEL Tip<Real> tip(const Local<Real>& pair, const ResponseAt& horizon_end)
 
 // ---- convex: lemma 3
 
-// On a collision course p·v < 0, and the miss distance |b|, c in the document, is below r. With
-// û = -v/|v| and ê across it, x(t) = σ û + b ê, σ = |v| (t_m - t), t_m the time of closest
-// approach.
+// On a collision course p·v < 0, and the miss distance |c| is below r. With û = -v/|v| and ê
+// across û, x(t) = σ û + c ê and σ = |v| (t_m - t), where t_m is the time of the closest approach.
 template <typename Real>
 struct PairApproach {
-  Real speed, per_speed, t_m, b;  // m/s, s/m, s, m; b < 0 only in a tie
+  Real speed, per_speed, t_m, c;  // m/s, s/m, s, m; c < 0 only in a tie
   Vec<Real> u, e;                 // û, ê
 
   AVO_KERNEL Real time(Real sigma, Real tau) const {
     return min(max(t_m - sigma * per_speed, Real(0.0)), tau);
   }
-  // m = |v| (t_m - s): n . y = r reads (σ m + b²)/|x| = r where n = x/|x|
-  AVO_KERNEL Real m(const At<Real>& at) const { return speed * (t_m - at.lag); }
+  // μ = |v| (t_m - s): n . y = r reads (σ μ + c²)/|x| = r where n = x/|x|
+  AVO_KERNEL Real mu(const At<Real>& at) const { return speed * (t_m - at.lag); }
 };
 
 template <typename Real>
@@ -74,7 +73,7 @@ AVO_KERNEL PairApproach<Real> approach(const Local<Real>& pair) {
   result.u = -result.per_speed * pair.v;
   result.e = {-result.u.y, result.u.x};
   result.t_m = result.u.x * pair.d * result.per_speed;
-  result.b = pair.d * pair.v.y * result.per_speed;
+  result.c = pair.d * pair.v.y * result.per_speed;
   return result;
 }
 
@@ -83,37 +82,37 @@ AVO_KERNEL PairApproach<Real> approach(const Local<Real>& pair) {
 template <typename Real>
 AVO_KERNEL Real first_sigma(const Local<Real>& pair, const PairApproach<Real>& approach,
                             Real cosine, const ResponseTable& table, Real low, Real high) {
-  const Real half_chord2 = max((pair.r - approach.b) * (pair.r + approach.b), Real(0.0));
+  const Real half_chord2 = max((pair.r - approach.c) * (pair.r + approach.c), Real(0.0));
   const Real halfway = Real(0.5) * sqrt(half_chord2) * approach.per_speed;
   const At<Real> middle = at(table, min(max(approach.t_m - halfway, Real(0.0)), Real(table.end)));
-  const Real c = min(cosine, Real(0.95));
-  const Real sigma = max(abs(approach.b) * c / sqrt(Real(1.0) - c * c),
+  const Real capped = min(cosine, Real(0.95));
+  const Real sigma = max(abs(approach.c) * capped / sqrt(Real(1.0) - capped * capped),
                          pair.r - approach.speed * (middle.time - middle.lag));
   return select((sigma > low) & (sigma < high), sigma, Real(0.5) * (low + high));
 }
 
-// The σ at which n . y = r, where (σ m + b²)/|x| increases in σ (in t it would have a kink near
+// The σ at which n . y = r, where (σ μ + c²)/|x| increases in σ (in t it would have a kink near
 // t_m): Newton's iteration, guarded by bisection; excess and slope are times |x|.
 template <typename Real>
 AVO_KERNEL Real solve_approach(const Local<Real>& pair, const PairApproach<Real>& approach,
                                Real cosine, const ResponseTable& table) {
-  const Real tau = table.end, b2 = approach.b * approach.b;
+  const Real tau = table.end, c2 = approach.c * approach.c;
   Real low = max(Real(0.0), approach.speed * (approach.t_m - tau));
   Real high = approach.speed * approach.t_m;
   Real sigma = first_sigma(pair, approach, cosine, table, low, high);
   auto active = pair.r > Real(0.0);
   for (int i = 0; i < kMaxIterations; ++i) {
     const At<Real> crossing = at(table, approach.time(sigma, tau));
-    const Real m = approach.m(crossing);
-    const Real x2 = sigma * sigma + b2;
-    const Real excess = sigma * m + b2 - pair.r * sqrt(x2);
+    const Real mu = approach.mu(crossing);
+    const Real x2 = sigma * sigma + c2;
+    const Real excess = sigma * mu + c2 - pair.r * sqrt(x2);
     low = select(excess < Real(0.0), sigma, low);
     high = select(excess < Real(0.0), high, sigma);
     const Real lag_rate = select(crossing.rate > Real(0.0),
                                  crossing.gain * crossing.per_rate * (Real(1.0) - crossing.rate) *
                                      crossing.per_rate * Real(table.per_control_time),
                                  Real(0.5));  // at t = 0
-    const Real slope = b2 * (m - sigma) * inverse(x2) + sigma * lag_rate;
+    const Real slope = c2 * (mu - sigma) * inverse(x2) + sigma * lag_rate;
     const auto rises = slope > Real(0.0);
     const Real newton = sigma - excess / select(rises, slope, Real(1.0));
     // the last step is taken too, except a step of the guard, where only rounding is left
@@ -132,11 +131,11 @@ AVO_KERNEL SupportLine<Real> convex(const Local<Real>& pair, const ResponseTable
   const PairApproach<Real> course = approach(pair);
   const Real tau = table.end;
   const At<Real> latest = at(table, min(course.t_m, tau));
-  const Real per_m = Real(1.0) / course.m(latest), cosine = pair.r * per_m;
+  const Real per_mu = Real(1.0) / course.mu(latest), cosine = pair.r * per_mu;
 
   const Real sigma =
-      solve_approach(pair, course, min((pair.r - abs(course.b)) * per_m, Real(0.95)), table);
-  const Real x = sqrt(sigma * sigma + course.b * course.b), per_x = inverse(x);
+      solve_approach(pair, course, min((pair.r - abs(course.c)) * per_mu, Real(0.95)), table);
+  const Real x = sqrt(sigma * sigma + course.c * course.c), per_x = inverse(x);
   // F(t), stationary here. In contact t, and with it r - |x|, is known only to rounding. There the
   // equal -n . v/g' keeps the demand high, and the least time above rounding keeps it finite.
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
@@ -144,17 +143,17 @@ AVO_KERNEL SupportLine<Real> convex(const Local<Real>& pair, const ResponseTable
   Real h = (pair.r - x) / crossing.gain;
   const auto touching = pair.r - x < Real(1e-7) * pair.r;
   h = select(touching, max(h, course.speed * (sigma * per_x) * crossing.per_rate), h);
-  Vec<Real> n = per_x * (sigma * course.u + course.b * course.e);
+  Vec<Real> n = per_x * (sigma * course.u + course.c * course.e);
 
   // head-on, both sides are equally near, and n is where n . y = r at t_m itself. The same holds
   // where a miss distance, of either side, comes from rounding
   const Real rounding = Real(std::numeric_limits<double>::epsilon()) * pair.d;
-  const auto head_on = (course.b <= rounding) & (course.t_m <= tau) & (cosine < Real(1.0));
+  const auto head_on = (course.c <= rounding) & (course.t_m <= tau) & (cosine < Real(1.0));
   const Real sine = sqrt(max(Real(1.0) - cosine * cosine, Real(0.0)));
   const Vec<Real> side = cosine * course.u + sine * course.e;
   n.x = select(head_on, side.x, n.x);
   n.y = select(head_on, side.y, n.y);
-  h = select(head_on, (pair.r - sine * course.b) / latest.gain, h);
+  h = select(head_on, (pair.r - sine * course.c) / latest.gain, h);
   return {n, h};
 }
 

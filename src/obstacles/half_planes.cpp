@@ -33,8 +33,8 @@ namespace {
 // Solves equal centers, and the pairs for the general search of the horn.
 void solve_rest(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& workspace,
                 PlaneColumns& planes) {
-  for (std::size_t k = 0; k < workspace.rest_count; ++k) {
-    const auto i = static_cast<std::size_t>(workspace.rest[k]);
+  for (std::size_t k = 0; k < workspace.rest.count; ++k) {
+    const auto i = static_cast<std::size_t>(workspace.rest.index[k]);
     const Pair pair = pairs[i];
     const bool equal_centers = !(norm(pair.position) > kTiniest);
     planes.set(i, equal_centers ? half_plane(pair, pairs.reach[i], horizon)
@@ -61,15 +61,9 @@ void PairColumns::reserve(std::size_t pairs) {
 void reserve(std::size_t pairs, HalfPlaneWorkspace& workspace, PlaneColumns& planes) {
   const std::size_t size = pairs + kSparePairs;
   if (planes.state.size() >= size) return;  // this column grows last
-  for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess, &workspace.rest}) {
+  for (auto* column : {&planes.n_x, &planes.n_y, &planes.h, &planes.excess, &workspace.convex.index,
+                       &workspace.horn.index, &workspace.rest.index})
     grow(*column, size);
-  }
-  for (HalfPlaneQueue* queue : {&workspace.convex, &workspace.horn}) {
-    for (auto* column : {&queue->index, &queue->d, &queue->v_x, &queue->v_y, &queue->radius,
-                         &queue->reach, &queue->e_x, &queue->e_y, &queue->side}) {
-      grow(*column, size);
-    }
-  }
   grow(planes.state, size);
 }
 
@@ -77,7 +71,7 @@ void half_planes(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWork
                  PlaneColumns& planes) {
   reserve(pairs.p_x.size() - kSparePairs, workspace, planes);
   workspace.cases = {};
-  workspace.convex.count = workspace.horn.count = workspace.rest_count = 0;
+  workspace.convex.count = workspace.horn.count = workspace.rest.count = 0;
   kKernels->solve(pairs, horizon, workspace, planes);
   solve_rest(pairs, horizon, workspace, planes);
 }

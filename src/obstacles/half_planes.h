@@ -56,10 +56,10 @@ struct PlaneColumns {
   void set(std::size_t i, const RelativeHalfPlane& plane);
 };
 
-/// Pairs that wait for their case, with their frames; read by whole packs.
+/// The numbers of pairs that wait for their case; read by whole packs.
 struct HalfPlaneQueue {
   std::size_t count = 0;
-  std::vector<double> index, d, v_x, v_y, radius, reach, e_x, e_y, side;
+  std::vector<double> index;
 };
 
 /// The number of pairs of each case.
@@ -70,10 +70,8 @@ struct HalfPlaneCases {
 
 /// Scratch memory.
 struct HalfPlaneWorkspace {
-  HalfPlaneQueue convex, horn;
-  std::size_t rest_count = 0;
-  std::vector<double> rest;  // indices
-  HalfPlaneCases cases;      // of the last call
+  HalfPlaneQueue convex, horn, rest;
+  HalfPlaneCases cases;  // of the last call
 };
 
 /// Reserves room for so many pairs.

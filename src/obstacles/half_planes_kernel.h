@@ -52,40 +52,40 @@ AVO_KERNEL LocalFrame<Real> frame_of(Vec<Real> p, Vec<Real> v, Real r, Real R,
   return frame;
 }
 
-/// Appends the chosen lanes of a pack to the queue, which has `count` entries. The pack may have
-/// been read from the same queue: whole packs are written, and never past the old end of it.
 template <typename Real>
-AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, const LocalFrame<Real>& frame,
-                     typename LocalFrame<Real>::Mask chosen, std::size_t count) {
-  const auto put = [&](Real value, std::vector<double>& column) {
-    store_chosen(chosen, value, &column[queue.count]);
-  };
-  put(index, queue.index);
-  put(frame.local.d, queue.d), put(frame.local.v.x, queue.v_x), put(frame.local.v.y, queue.v_y);
-  put(frame.local.r, queue.radius), put(frame.local.R, queue.reach);
-  put(frame.e.x, queue.e_x), put(frame.e.y, queue.e_y), put(frame.side, queue.side);
-  queue.count += count;
+AVO_KERNEL LocalFrame<Real> frame_at(const PairColumns& pairs, std::size_t i,
+                                     const ResponseAt& end) {
+  const auto of = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
+  return frame_of<Real>({of(pairs.p_x), of(pairs.p_y)}, {of(pairs.v_x), of(pairs.v_y)},
+                        of(pairs.radius), of(pairs.reach), end);
 }
 
+/// The frames of the pairs with the numbers of a pack of the queue.
 template <typename Real>
-AVO_KERNEL LocalFrame<Real> queued(const HalfPlaneQueue& queue, std::size_t i) {
-  const auto load = [i](const std::vector<double>& column) { return Real::load(&column[i]); };
-  LocalFrame<Real> frame{};  // its masks are not read again
-  frame.local = {
-      load(queue.d), {load(queue.v_x), load(queue.v_y)}, load(queue.radius), load(queue.reach)};
-  frame.e = {load(queue.e_x), load(queue.e_y)};
-  frame.side = load(queue.side);
-  return frame;
+AVO_KERNEL LocalFrame<Real> queued(const PairColumns& pairs, const HalfPlaneQueue& queue,
+                                   std::size_t i, const ResponseAt& end) {
+  const Real index = Real::load(&queue.index[i]);
+  const auto of = [index](const std::vector<double>& column) {
+    return lookup(column.data(), index);
+  };
+  return frame_of<Real>({of(pairs.p_x), of(pairs.p_y)}, {of(pairs.v_x), of(pairs.v_y)},
+                        of(pairs.radius), of(pairs.reach), end);
+}
+
+/// Appends the chosen lanes of a pack to the queue, as many as are pairs. The pack may have been
+/// read from the same queue: whole packs are written, and never past the old end of it.
+template <typename Real>
+AVO_KERNEL void push(HalfPlaneQueue& queue, Real index, typename LocalFrame<Real>::Mask chosen,
+                     std::uint32_t pairs) {
+  store_chosen(chosen, index, &queue.index[queue.count]);
+  queue.count += static_cast<std::size_t>(std::popcount(pairs));
 }
 
 /// Repeats the last entry, as far as the last pack reads.
 template <typename Real>
 AVO_KERNEL void fill_up(HalfPlaneQueue& queue) {
-  if (queue.count == 0) return;
-  for (auto* column : {&queue.d, &queue.v_x, &queue.v_y, &queue.radius, &queue.reach, &queue.e_x,
-                       &queue.e_y, &queue.side}) {
-    std::fill_n(&(*column)[queue.count], Real::kLanes, (*column)[queue.count - 1]);
-  }
+  if (queue.count > 0)
+    std::fill_n(&queue.index[queue.count], Real::kLanes, queue.index[queue.count - 1]);
 }
 
 AVO_KERNEL void set_state(PlaneColumns& planes, std::size_t first, std::uint32_t lanes,
@@ -108,11 +108,8 @@ void classify(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspa
               PlaneColumns& planes) {
   const ResponseAt& end = horizon.end();
   for (std::size_t i = 0; i < pairs.count; i += Real::kLanes) {
-    const Real R = Real::load(&pairs.reach[i]);
-    const LocalFrame<Real> frame =
-        frame_of<Real>({Real::load(&pairs.p_x[i]), Real::load(&pairs.p_y[i])},
-                       {Real::load(&pairs.v_x[i]), Real::load(&pairs.v_y[i])},
-                       Real::load(&pairs.radius[i]), R, end);
+    const LocalFrame<Real> frame = frame_at<Real>(pairs, i, end);
+    const Real R = frame.local.R, index = Real::numbers_from(i);
     const Tip<Real> last = tip(frame.local, end);
     // equal centers have no normal
     const auto overlapping = frame.in_contact & (frame.local.d > Real(kTiniest));
@@ -145,9 +142,7 @@ void classify(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspa
     if (in_contact != 0) {
       const std::uint32_t settled = in_contact & bits(overlapping);
       set_state(planes, i, settled, PairState::overlapping);
-      store_chosen(frame.in_contact & (!overlapping), Real::numbers_from(i),
-                   &work.rest[work.rest_count]);
-      work.rest_count += static_cast<std::size_t>(std::popcount(in_contact & ~settled));
+      push(work.rest, index, frame.in_contact & (!overlapping), in_contact & ~settled);
       work.cases.contact += static_cast<std::size_t>(std::popcount(in_contact));
     }
     take(free_lanes);
@@ -156,13 +151,9 @@ void classify(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspa
     work.cases.tip += static_cast<std::size_t>(std::popcount(tips));
     if (open == 0) continue;
     const auto waits = !(frame.in_contact | free | last.nearest);
-    const auto number_of = [](std::uint32_t lanes) {
-      return static_cast<std::size_t>(std::popcount(lanes));
-    };
     const std::uint32_t convex = open & bits(frame.on_collision_course);
-    const Real index = Real::numbers_from(i);
-    push(work.convex, index, frame, waits & frame.on_collision_course, number_of(convex));
-    push(work.horn, index, frame, waits & (!frame.on_collision_course), number_of(open & ~convex));
+    push(work.convex, index, waits & frame.on_collision_course, convex);
+    push(work.horn, index, waits & (!frame.on_collision_course), open & ~convex);
   }
 }
 
@@ -189,26 +180,28 @@ AVO_KERNEL void put(const LocalFrame<Real>& frame, const SupportLine<Real>& plan
 }
 
 template <typename Real>
-void solve_convex(const Horizon& horizon, HalfPlaneWorkspace& work, PlaneColumns& planes) {
+void solve_convex(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace& work,
+                  PlaneColumns& planes) {
   HalfPlaneQueue& queue = work.convex;
   const ResponseTable table = horizon.table();
   work.cases.convex = queue.count;
   fill_up<Real>(queue);
   for (std::size_t i = 0; i < queue.count; i += Real::kLanes) {
-    const LocalFrame<Real> frame = queued<Real>(queue, i);
+    const LocalFrame<Real> frame = queued<Real>(pairs, queue, i, horizon.end());
     put(frame, convex(frame.local, table), &queue.index[i], std::min(Real::kLanes, queue.count - i),
         planes);
   }
 }
 
 /// Solves a pack of a queue of `count`; pairs that are not settled stay in it.
-template <Look look, typename Real>
-AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horizon& horizon,
-                               HalfPlaneQueue& queue, PlaneColumns& planes) {
+template <Crossed crossed, typename Real>
+AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const PairColumns& pairs,
+                               const Horizon& horizon, HalfPlaneQueue& queue,
+                               PlaneColumns& planes) {
   const double* index = &queue.index[first];
   const std::size_t lanes = std::min(Real::kLanes, count - first);
-  const LocalFrame<Real> frame = queued<Real>(queue, first);
-  const HornPlane<Real> result = horn<look>(frame.local, horizon.end(), horizon.table());
+  const LocalFrame<Real> frame = queued<Real>(pairs, queue, first, horizon.end());
+  const HornPlane<Real> result = horn<crossed>(frame.local, horizon.end(), horizon.table());
   put(frame, result.plane, index, lanes, planes);
   const std::uint32_t settled = bits(result.settled), all = 0xffffffffU >> (32U - lanes);
   for (std::uint32_t left = settled & bits(result.free) & all; left != 0; left &= left - 1) {
@@ -219,21 +212,21 @@ AVO_KERNEL void solve_horns_at(std::size_t first, std::size_t count, const Horiz
   }
   const std::uint32_t open = all & ~settled;
   if (open == 0) return;
-  push(queue, Real::load(index), frame, !result.settled,
-       static_cast<std::size_t>(std::popcount(open)));
+  push(queue, Real::load(index), !result.settled, open);
 }
 
 /// Uses wide packs as long as they are more than half full. Returns the number of pairs.
-template <Look look, typename Real, typename Wide>
-std::size_t solve_horns(const Horizon& horizon, HalfPlaneQueue& queue, PlaneColumns& planes) {
+template <Crossed crossed, typename Real, typename Wide>
+std::size_t solve_horns(const PairColumns& pairs, const Horizon& horizon, HalfPlaneQueue& queue,
+                        PlaneColumns& planes) {
   fill_up<Wide>(queue);
   const std::size_t count = queue.count;
   queue.count = 0;
   std::size_t i = 0;
   for (; i + Real::kLanes < count; i += Wide::kLanes) {
-    solve_horns_at<look, Wide>(i, count, horizon, queue, planes);
+    solve_horns_at<crossed, Wide>(i, count, pairs, horizon, queue, planes);
   }
-  if (i < count) solve_horns_at<look, Real>(i, count, horizon, queue, planes);
+  if (i < count) solve_horns_at<crossed, Real>(i, count, pairs, horizon, queue, planes);
   return count;
 }
 
@@ -243,12 +236,12 @@ void solve(const PairColumns& pairs, const Horizon& horizon, HalfPlaneWorkspace&
            PlaneColumns& planes) {
   static_assert(Wide::kLanes <= kSparePairs);
   classify<Real>(pairs, horizon, work, planes);
-  solve_convex<Wide>(horizon, work, planes);
-  work.cases.horn = solve_horns<Look::once, Real, Wide>(horizon, work.horn, planes);
-  work.cases.follow = solve_horns<Look::often, Real, Wide>(horizon, work.horn, planes);
-  std::copy_n(work.horn.index.begin(), work.horn.count, &work.rest[work.rest_count]);
-  work.rest_count += work.horn.count;
-  work.cases.rest = work.rest_count;
+  solve_convex<Wide>(pairs, horizon, work, planes);
+  work.cases.horn = solve_horns<Crossed::once, Real, Wide>(pairs, horizon, work.horn, planes);
+  work.cases.follow = solve_horns<Crossed::often, Real, Wide>(pairs, horizon, work.horn, planes);
+  std::copy_n(work.horn.index.begin(), work.horn.count, &work.rest.index[work.rest.count]);
+  work.rest.count += work.horn.count;
+  work.cases.rest = work.rest.count;
 }
 
 AVO_END_KERNELS

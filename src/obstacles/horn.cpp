@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eqs. (15), (16) where the present velocity does not lead into a collision: the near side of the
-// obstacle, towards w = 0, is concave (docs/half_plane.md, "Three cases"). Its hull within reach
-// has as near corners the disc of τ and the points Q where the near side crosses the circle |w| =
-// R. The half-plane is the least among the tangent of that disc and the chords between those
-// corners. This search takes any number of crossings, for the few horns that the kernels leave.
+// obstacle, towards w = 0, is concave (docs/half_plane.md, "Three cases"). This search finds any
+// number of crossings Q of the near side, for the few horns that the kernels leave. Lemma 8 then
+// gives the half-plane, as for all horns: see least_support() in horn_hull_kernel.h.
 #include "obstacles/horn.h"
 
 #include <algorithm>

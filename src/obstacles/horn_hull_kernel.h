@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The horn case. If its near side crosses the circle |w| = R at most once, the half-plane comes
-// from that corner of the hull and those of the disc of τ. It also handles up to three crossings.
-// Lemma 8 of docs/half_plane.md.
+// The half-plane of the horn case, by lemma 8 of docs/half_plane.md. The near corners of the hull
+// are the crossings Q of the near side with the circle |w| = R, and the disc of τ. The half-plane
+// is that of least support among the edges between them. Here the near side crosses the circle at
+// most three times.
 #ifndef AVO_OBSTACLES_HORN_HULL_KERNEL_H
 #define AVO_OBSTACLES_HORN_HULL_KERNEL_H
 
@@ -31,7 +32,7 @@ template <typename Real>
 struct HornPlane {
   using Mask = decltype(Real() < Real());
   SupportLine<Real> plane;
-  Mask settled;  // if false, examine more closely, and then use the general search (horn.cpp)
+  Mask settled;  // if false, the next search is needed: see solve_horn() in half_plane.cpp
   Mask free;     // the obstacle is out of reach
 };
 
@@ -58,6 +59,7 @@ struct Hull {
     const Real corners = max(dot(n, near), dot(n, far));
     return max(h, select(is_cut, corners, none));
   }
+  // Keeps the edge with the normal n if its support is less.
   AVO_KERNEL void offer(Vec<Real> n, Mask valid, SupportLine<Real>& best) const {
     const Real h = support(n);
     const auto better = valid & (h < best.h);
@@ -65,6 +67,8 @@ struct Hull {
     best.n.y = select(better, n.y, best.n.y);
     best.h = select(better, h, best.h);
   }
+  // The edges from one Q: its tangent to the disc, its chords to later Qs, and its chords to the
+  // points where the circle cuts the disc.
   AVO_KERNEL void offer_edges_from(std::size_t k, SupportLine<Real>& best) const {
     const Vec<Real> q = crossing[k], to_disc = q - center;
     const auto outside = dot(to_disc, to_disc) > radius * radius;
@@ -81,6 +85,7 @@ struct Hull {
   }
 };
 
+/// Of the edges of all Qs, and of the tangent of the disc towards w = 0.
 template <typename Real, std::size_t kCrossings>
 AVO_KERNEL SupportLine<Real> least_support(const Hull<Real, kCrossings>& hull) {
   const Real infinity = Real(std::numeric_limits<double>::infinity());
@@ -113,10 +118,10 @@ AVO_KERNEL Hull<Real, kCrossings> hull_of(const Horn<Real>& horn, const At<Real>
   return hull;
 }
 
-/// At most one crossing, as SearchSpan says.
+/// Lemma 7: at most one crossing, as SearchSpan says.
 template <typename Real>
-AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
-                                        const ResponseTable& table) {
+AVO_KERNEL HornPlane<Real> horn_crossed_once(const Local<Real>& pair, const ResponseAt& horizon_end,
+                                             const ResponseTable& table) {
   const Horn<Real> shape = horn_of(pair);
   const At<Real> end = constant<Real>(horizon_end);
   const SearchSpan<Real> span = passage(shape, horizon_end, table);
@@ -143,12 +148,13 @@ AVO_KERNEL HornPlane<Real> once_crossed(const Local<Real>& pair, const ResponseA
   return result;
 }
 
-/// As many crossings as follow() finds. b is the near end of its disc's arc on the circle where
-/// `tangential` is positive. If it is the far end at the first crossing, near contact, the disc of
-/// that time has corners of its own. The general search handles that case.
+/// Lemma 9: as many crossings as follow() finds. b is the near end of its disc's arc on the circle
+/// where `tangential` is positive. If it is the far end at the first crossing, near contact, the
+/// disc of that time has corners of its own. The general search handles that case.
 template <typename Real>
-AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const ResponseAt& horizon_end,
-                                         const ResponseTable& table) {
+AVO_KERNEL HornPlane<Real> horn_crossed_often(const Local<Real>& pair,
+                                              const ResponseAt& horizon_end,
+                                              const ResponseTable& table) {
   const Horn<Real> shape = horn_of(pair);
   const Crossings<Real> crossings = follow(shape, passage(shape, horizon_end, table), table);
   auto hull = hull_of<kMostCrossings>(shape, constant<Real>(horizon_end), horizon_end);
@@ -172,11 +178,11 @@ AVO_KERNEL HornPlane<Real> often_crossed(const Local<Real>& pair, const Response
   return result;
 }
 
-template <Look look, typename Real>
+template <Crossed crossed, typename Real>
 AVO_KERNEL HornPlane<Real> horn(const Local<Real>& pair, const ResponseAt& horizon_end,
                                 const ResponseTable& table) {
-  if constexpr (look == Look::once) return once_crossed(pair, horizon_end, table);
-  if constexpr (look == Look::often) return often_crossed(pair, horizon_end, table);
+  if constexpr (crossed == Crossed::once) return horn_crossed_once(pair, horizon_end, table);
+  if constexpr (crossed == Crossed::often) return horn_crossed_often(pair, horizon_end, table);
 }
 
 AVO_END_KERNELS

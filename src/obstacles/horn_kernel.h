@@ -60,13 +60,13 @@ AVO_KERNEL NearSide<Real> near_side(const Horn<Real>& horn, const At<Real>& at,
   side.at = at;
   side.lead = at.gain * at.per_rate;
   const Real r = horn.pair.r, ahead = horn.speed * side.lead, covered = horn.speed * at.lag;
-  const Real rise = horn.rise(covered), m = covered + horn.z;
+  const Real rise = horn.rise(covered), mu = covered + horn.z;  // μ
   side.l2 = max(Real(0.0), horn.gap2 + rise);
   side.l = sqrt(side.l2);
   side.per_y2 = inverse(horn.closest * horn.closest + rise);
   // n . v/|v|, and -v/|v| across n
-  const Real along = (r * m + side.l * horn.miss) * side.per_y2;
-  const Real across = (side.l * m - r * horn.miss) * side.per_y2;
+  const Real along = (r * mu + side.l * horn.miss) * side.per_y2;
+  const Real across = (side.l * mu - r * horn.miss) * side.per_y2;
   side.tangential = side.l + ahead * across;
   const Real normal = ahead * along;
   side.b2 = normal * normal + side.tangential * side.tangential;

@@ -2,9 +2,9 @@
 // Car-like robots (paper §V). With heading θ, speed v and curvature κ = tan(φ)/d,
 //   p' = v (cos θ, sin θ),  θ' = v κ,  v' = a_lin                                     Eq. (24)
 //   velocity (v, 0) and acceleration (a_lin, v² κ) in the frame turned by θ           Eq. (25)
-// |a_lin| <= a_max and |v² κ| <= a_max make a square turned by θ, Fig. 6(b). The disc D(0, a_max),
-// which holonomic robots choose from, is its incircle, so every choice can be turned into controls.
-// κ turns at once, and it is held through a step, as a_lin is.
+// |a_lin| <= a_max and |v² κ| <= a_max make a square turned by θ, Fig. 6(b). Holonomic robots
+// choose from its incircle, the disc D(0, a_max), so every choice can be turned into controls. κ
+// turns at once. It is held through a step, as a_lin is.
 //
 // With h along the heading and n to its left, a disc that is e ahead of the axle has the velocity
 // v h + e v κ n. A car that drives backwards drives forward with h, n and e turned round.
@@ -26,8 +26,8 @@
 namespace avo::inline robots {
 namespace {
 
-// Rest is exactly 0: a car with the speed that rounding leaves would creep on for ever, and the
-// sign of that speed would decide where it may drive. As a part of the speed before the step:
+// Rest is exactly 0. A car with the speed that rounding leaves would creep on for ever. The sign of
+// that speed would decide where the car may drive. As a part of the speed before the step:
 constexpr double kRestRounding = 0x1p-48;
 // Part of the speed that one step of braking takes off: a smaller change is no decision. The
 // choices of a certificate are drawn by as much on the safe side, and rounding of places increases

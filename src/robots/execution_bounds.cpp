@@ -110,7 +110,7 @@ double error_by_wheels(const ExecutionModel& model, const DifferentialDrive& dri
          turning * (V * lag_error + aged) + T * wrong * (2.0 * V + wrong) / drive.offset;
 }
 
-// Of a drive, with the errors of its wheels.
+// For a drive, with the errors of its wheels.
 struct DriveBounds {
   Bounds bounds;
   double error;  // [e'] m/s, of the velocity

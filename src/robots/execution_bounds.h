@@ -26,7 +26,7 @@ void validate(const ExecutionModel& model, double time_step,
               const std::string& prefix = "ExecutionModel.");
 
 /// m: the largest distance of such a base from the cubic of its positions and velocities at two
-/// successive decisions. Of a drive both are those of the point ahead of its axle.
+/// successive decisions. For a drive both are those of the point ahead of its axle.
 double off_cubic(const ExecutionModel& model, const MotionModel& robot,
                  const ExecutionLimits& limits, double time_step);
 

@@ -25,7 +25,7 @@ struct BodyExtent {
   double rear, front, side;
 };
 
-// m: the radius that covers the part of the body that is within `half` of the center along x.
+// m: the radius that covers the part of the body within `half` of the center along x.
 // radius_of(from, to, center) covers the part between two values of x.
 template <typename RadiusOf>
 std::optional<Footprint> cover_by(int discs, const BodyExtent& body, double excess,

@@ -70,7 +70,7 @@ inline constexpr std::size_t kMostModelSteps = 16;
 /// At most kMostModelSteps of them.
 void advance_together(std::span<ModelStep> steps, double time_step);
 
-/// The same step of each disc of the robot's footprint. state.position is that of the robot, and
+/// The same step of each disc of the robot's footprint. state.position is that of the robot.
 /// step.next.position is as far from it as the disc has moved. For a drive it is the robot's own
 /// step alone, without the turn of its discs.
 void advance_discs(const MotionModel& model, const MotionLimits& limits, const MotionState& state,

@@ -21,7 +21,7 @@ void collect_claims(const World& world, const Routes& routes, Executor& executor
     own.reserve(kMostClaims * (robots / parts + 1));
     for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k) {
       const std::uint32_t slot = world.fleet.slot_of[k];
-      if (world.fleet.conduct[slot].parked || world.fleet.told_velocity(slot)) continue;
+      if (world.fleet.conduct[slot].parked || !world.fleet.heads_for_goal(slot)) continue;
       append_claims(routes, claimant_of(world, slot), world.fleet.velocity[slot], own);
     }
   });
@@ -68,7 +68,7 @@ std::optional<Simulation::Wait> wait_of(const World& world, std::span<const Clai
                                         std::size_t slot) {
   const Fleet& fleet = world.fleet;
   const std::size_t floor = world.floor_of(slot);
-  if (fleet.conduct[slot].parked || world.routes[floor].passages.empty()) return std::nullopt;
+  if (!fleet.decides(slot) || world.routes[floor].passages.empty()) return std::nullopt;
   const Travel& travel = world.travels[static_cast<std::size_t>(fleet.rank[slot])];
   auto wait = wait_of(world.routes[floor], claims[floor], follower_of(world, slot, {}, 0.0), travel,
                       world.sensing_radius);

@@ -66,7 +66,7 @@ class Sharing {
     for (std::uint32_t slot = 0; slot < fleet_.size(); ++slot) {
       goals_.push_back(world.end_of(slot));
       if (fleet_.conduct[slot].parked || fleet_.flight(slot) != nullptr) continue;
-      if (!fleet_.told_velocity(slot)) slots_.push_back(slot);
+      if (fleet_.heads_for_goal(slot)) slots_.push_back(slot);
     }
     if (are_along_y(goals_))
       for (Vec2& goal : goals_) std::swap(goal.x, goal.y);

@@ -141,14 +141,14 @@ bool Simulation::can_step_by(double time) const {
 double Simulation::next_decision(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
   const std::size_t slot = fleet.find(robot);
-  if (fleet.conduct[slot].parked) return std::numeric_limits<double>::infinity();
+  if (!fleet.decides(slot)) return std::numeric_limits<double>::infinity();
   return fleet.has_clocks ? seconds(fleet.clock_of(slot).end) : time();
 }
 
 bool Simulation::decided(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
   const std::size_t slot = fleet.find(robot);
-  if (fleet.conduct[slot].parked) return false;
+  if (!fleet.decides(slot)) return false;
   if (!fleet.has_clocks) return state_->steps > 0;
   const OwnClock& clock = fleet.clock_of(slot);
   return clock.has_decided && clock.begin == state_->before;
@@ -157,7 +157,7 @@ bool Simulation::decided(RobotId robot) const {
 bool Simulation::is_at_goal(RobotId robot) const {
   const std::size_t slot = state_->fleet.find(robot);
   if (state_->fleet.conduct[slot].parked) return true;
-  if (state_->fleet.told_velocity(slot)) return false;
+  if (!state_->fleet.heads_for_goal(slot)) return false;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = place_now(*state_, slot), goal = state_->fleet.goal[slot];
   const std::vector<Travel>& travels = state_->travels;
@@ -202,7 +202,7 @@ std::vector<RobotId> Simulation::unreachable() const {
 
 std::uint64_t Simulation::state_hash() const {
   state_->catch_up();
-  const std::uint64_t present = hash_of(state_->fleet, state_->obstacles, state_->steps);
+  const std::uint64_t present = hash_of(state_->fleet, state_->movers, state_->steps);
   const std::uint64_t bodies = hash_of(state_->fleet.bases, present);
   const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, bodies) : bodies;
   return state_->statics.id.empty() ? hash : mixed(hash, state_->statics.hash);

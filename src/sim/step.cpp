@@ -12,6 +12,7 @@
 #include "sim/clocks.h"
 #include "sim/host/edits.h"
 #include "sim/host/external.h"
+#include "sim/host/host_motion.h"
 #include "sim/sensing/index.h"
 #include "sim/sensing/sense.h"
 #include "sim/simulation_state.h"
@@ -24,13 +25,13 @@ Executor& executor_of(World& world) {
   return *world.executor;
 }
 
-// The slots without parked robots.
+// The slots of the robots that decide.
 std::span<const std::uint32_t> deciding(const World& world, std::span<const std::uint32_t> slots,
                                         Worker& worker) {
-  if (world.summary.parked == 0) return slots;
+  if (world.summary.idle == 0) return slots;
   worker.deciding.clear();
   std::copy_if(slots.begin(), slots.end(), std::back_inserter(worker.deciding),
-               [&](std::uint32_t slot) { return !world.fleet.conduct[slot].parked; });
+               [&](std::uint32_t slot) { return world.fleet.decides(slot); });
   return worker.deciding;
 }
 
@@ -119,8 +120,8 @@ void step_near(World& world) {
   Worker& worker = world.workers[0];
   worker.clock.start();
   find_shared_goals(world);
-  if (!world.obstacles.setup.empty())
-    world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
+  if (!world.movers.setup.empty())
+    world.mover_grid.build(world.movers.position, world.sensing_radius);
   worker.clock.lap(Stage::index);
   world.summary.is_fast = false;
   collect_due(world);
@@ -144,8 +145,9 @@ void step_together(World& world, Executor& executor) {
     world.due.assign(all.begin(), all.end());
     take_by_pace(world, executor);
   }
+  move_as_told(world);
   const double time_step = world.settings.time_step;
-  world.obstacles.advance(time_step, static_cast<double>(world.steps + 1) * time_step);
+  world.movers.advance(time_step, static_cast<double>(world.steps + 1) * time_step);
 }
 
 // Removes the robots that have passed their goals, and do not stay.
@@ -171,7 +173,7 @@ void step(World& world) {
   if (!world.external.ranks.empty()) choose_externally(world, executor);
   world.torn = true;
   bool fast = false;
-  std::size_t decisions = world.fleet.size() - world.summary.parked;
+  std::size_t decisions = world.fleet.size() - world.summary.idle;
   if (is_free) {
     near ? step_near(world) : step_freely(world, executor);
     decisions = world.due.size();
@@ -186,6 +188,7 @@ void step(World& world) {
   if (!is_free) world.summary.is_fast = fast;
   world.torn = false;
   ++world.steps;
+  if (!world.fleet.bases.are_exact()) move_bases(world);
   if (!world.senses.are_exact()) {
     catch_up(world);
     world.senses.note(world.fleet, world.steps);
@@ -202,9 +205,9 @@ void Simulation::step() {
   lead_teams(*this, state_->settings.teams);
   state_->forget_views();
   state_->forget_discs();
+  if (decide_again(*state_)) state_->forget_robots();
   const std::size_t robots = state_->fleet.size();
   avo::step(*state_);
-  if (!state_->fleet.bases.are_exact()) move_bases(*state_);
   if (state_->fleet.size() != robots) state_->forget_robots();
 }
 

@@ -44,7 +44,7 @@ struct alignas(128) Worker {
   std::vector<NeighborQuery> queries;
   std::vector<std::uint32_t> deciding;  // slots of a tile, where some robots are parked
   std::vector<std::uint32_t> staying;   // slots in a tile of robots that stop at shared goals
-  SearchScratch search, obstacles;
+  SearchScratch search, movers;
   SearchScratch outliers, again;  // for robots near outliers, one at a time
   LegScratch legs;
   std::vector<Heading> headings;    // by routes alone, of a tile, where some share goals
@@ -53,7 +53,7 @@ struct alignas(128) Worker {
   // what the robots of a tile remember besides tile.detour: in the fleet, or in a copy
   std::vector<Travel*> travels;          // where there are routes
   std::vector<std::uint8_t*> has_stood;  // where some share room at their goals
-  // where the only robot of a tile is explained: what leads it, and who its neighbors are, as in
+  // where the only robot of a tile is explained: what leads it, and its neighbors, as in
   // Sighting::source
   Guide* told = nullptr;
   std::vector<int>* sources = nullptr;
@@ -92,10 +92,10 @@ enum class Shares : std::uint8_t {
 
 /// What holds for some robots of the fleet, or for all.
 struct FleetSummary {
-  std::size_t parked = 0;  // robots
-  bool exceeds = false;    // some accelerate by more than their max_acceleration
-  bool is_valid = false;   // all were valid when they came
-  bool is_fast = false;    // some exceed their max_speed
+  std::size_t idle = 0;   // robots that do not decide: parked, or moved by the host
+  bool exceeds = false;   // some accelerate by more than their max_acceleration
+  bool is_valid = false;  // all were valid when they came
+  bool is_fast = false;   // some exceed their max_speed
 };
 FleetSummary summary_of(const World& world);
 
@@ -108,7 +108,7 @@ struct World {
   Fleet fleet;
   std::optional<Kinds> kinds;  // of the fleet, once a robot has been added
   Bystanders bystanders;       // for edits between two steps
-  ObstacleColumns obstacles;
+  MoverColumns movers;
   Senses senses;
   StaticWorld statics;
   std::vector<Routes> routes;        // of each floor
@@ -126,7 +126,7 @@ struct World {
   Snapshot snapshot;
   Outliers outliers;
   ExternalChoices external;
-  PointGrid obstacle_grid;
+  PointGrid mover_grid;
   std::shared_ptr<Executor> executor;
   SerialExecutor serial;
   std::vector<Worker> workers;             // as many as the executor has

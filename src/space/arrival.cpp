@@ -15,6 +15,9 @@ namespace {
 // ahead count, and it takes more of them.
 constexpr double kFullCongestion = 2.0;
 
+// The turn to the right fades over so many stopping lengths of the route, before the last one.
+constexpr double kFade = 7.0;
+
 // The neighbor of the plane with the same distance and the same speeds, along one axis.
 avo::Neighbor in_plane(const Neighbor& neighbor) {
   avo::Neighbor same;
@@ -89,12 +92,13 @@ Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
     detour.beside = 0.0F, detour.has_arrived = false;
     return robot.preferred_velocity;
   }
-  // the turn fades to 0: on the last part of its route a robot needs its acceleration to brake
+  // The turn fades to 0: on the last part of its route a robot needs its acceleration to brake. On
+  // a short route, a turn costs more than it saves, unless there is much traffic.
   const double stopping = 0.5 * robot.max_speed * (robot.max_speed / planned_braking(robot));
   const double left = (robot.distance_to_goal - stopping) / stopping;
   Vec3 wish = robot.preferred_velocity;
   if (left > 0.0 && ahead > 0.0) {
-    const double part = std::min(left, 1.0) * (std::min(ahead, kFullCongestion) / kFullCongestion);
+    const double part = std::min(std::min(left / kFade, 1.0) * (ahead / kFullCongestion), 1.0);
     wish = turned_right(wish, axis, part * kMostKeepRight);
     trace.keeps_right(look, bodies, looked, wish);
   }

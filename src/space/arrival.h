@@ -22,8 +22,8 @@ Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looke
 /// count.
 double traffic_range(const Robot& robot);
 
-/// A unit axis across the course, about which a robot turns to its right: up as seen along the
-/// course, and where the course is steep, ahead along x.
+/// A unit axis across the course, about which a robot turns to its right. It points up as seen
+/// along the course, and ahead along x where the course is steep.
 Vec3 axis_across(Vec3 heading);
 
 /// a turned by an angle in [0, π) rad, clockwise as seen from the tip of a unit axis.

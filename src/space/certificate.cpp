@@ -110,8 +110,8 @@ void append_pair(const BrakingPair& pair, const PairShape<3>& shape, int index, 
   }
 }
 
-// What the pair can refuse: the gap is infinite where it is nothing at all, and -infinity where it
-// is not known. docs/space.md, "What can refuse nothing".
+// What the pair can refuse: the gap is infinite where the pair refuses nothing, and -infinity where
+// nothing is known. See docs/space.md, "What can refuse nothing".
 scalar::PackClearance<Real> clearance_of(const scalar::PackRobot<Real, 3>& self,
                                          const scalar::PackRobot<Real, 3>& other,
                                          const scalar::PackPair<Real, 3>& pair,
@@ -196,7 +196,7 @@ Braking braking_of(const Robot& robot, const StepLaw& law) {
 
 void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& law,
                        Constraints& constraints) {
-  constraints.columns.count = constraints.columns.judged = 0;
+  constraints.columns.count = constraints.columns.tested = 0;
   constraints.own_columns.count = constraints.own_columns.filled = 0;
   constraints.waiting.clear();
   constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};

@@ -31,7 +31,8 @@ struct Choice {
 void append_climb(const Robot& robot, std::vector<HalfSpace>& half_spaces);
 
 /// Returns the admitted velocity near the wanted one, m/s. trace.is_refused() tells why the wanted
-/// velocity was not admitted, unless rounding alone has put it beyond the robot's own limits.
+/// velocity was not admitted. What rounding alone has put beyond the robot's own limits does not
+/// count.
 template <typename Trace = NoTrace>
 Choice choose(const Robot& robot, Vec3 wanted, const StepLaw& law, ChoiceWorkspace& workspace,
               Trace trace = {});

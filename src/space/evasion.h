@@ -14,8 +14,7 @@ bool keep_evasion(const PlannerOptions& options, const StepLaw& law, const Robot
                   Vec3& next_velocity);
 
 /// The moving obstacle that the robot evades, if it has rejected a next velocity, m/s. It is the
-/// index of the nearest one that comes too near to the robot if the robot brakes after that step;
-/// -1 if there is none.
+/// index of the nearest one that comes too near if the robot brakes after that step; -1: none.
 int find_evaded(const PlannerOptions& options, const StepLaw& law, const Robot& robot,
                 std::span<const Mover> movers, Vec3 put_aside, EvasionSearch& search,
                 ChoiceWorkspace& choice_workspace);

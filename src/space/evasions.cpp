@@ -159,7 +159,7 @@ BrakingVerdict stop_from(EvasionSearch& search, const EvasionState& state) {
     worst = std::min(worst, stop);
     return worst != BrakingVerdict::too_late;
   };
-  // the one that touched A in the last braking often does so again
+  // the mover that touched A in the last braking often does so again
   const std::size_t count = search.others.size(), first = search.refused_by;
   if (first < count && !look_at_one(first)) return worst;
   for (std::size_t k = 0; k < count; ++k)

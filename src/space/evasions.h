@@ -56,7 +56,7 @@ struct EvasionSearch {
   /// The work that is left for this decision; no evasive maneuver counts as clear once it is used
   /// up.
   int work = std::numeric_limits<int>::max();
-  /// Of the last decision that evades: its evasive maneuver, and the next velocity that it has
+  /// The evasive maneuver of the last decision that evades, and the next velocity that it has
   /// rejected, m/s.
   Evasion chosen;
   Vec3 put_aside;
@@ -68,7 +68,7 @@ void begin_evasions(EvasionSearch& search);
 /// [v_1] m/s, the next velocity of an evasive maneuver towards the velocity w.
 Vec3 next_towards(const EvasionSearch& search, const EvasionState& from, Vec3 w);
 
-/// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below judge
+/// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below test
 /// the motion after it.
 bool take_first_step(EvasionSearch& search, Vec3 next_velocity);
 /// Returns whether A keeps clear, (C1) to (C3), if it brakes.

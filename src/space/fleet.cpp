@@ -26,6 +26,7 @@ SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
       senses(senses_of(scene)),
       detours(scene.robots.size()),
       plans(scene.robots.size()),
+      touched(scene.robots.size()),
       workers(executor->workers()) {
   validate_in_space(options);
   for (const RobotSetup& setup : scene.robots) {
@@ -62,7 +63,7 @@ bool SpaceFleet::is_in_range(Vec3 place, std::size_t k) const {
 
 void SpaceFleet::sense_movers(std::size_t k, SpaceWorker& worker) const {
   worker.movers.clear();
-  worker.mover_number.clear();
+  worker.mover_ids.clear();
   if (movers.now.empty()) return;
   const Observer observer(senses, k, scenario.boxes);
   for (std::size_t m = 0; m < movers.now.size(); ++m) {
@@ -72,7 +73,7 @@ void SpaceFleet::sense_movers(std::size_t k, SpaceWorker& worker) const {
         senses.are_exact() ? mover : observer.look_at(m, movers.id[m], mover);
     if (!seen) continue;
     worker.movers.push_back(*seen);
-    worker.mover_number.push_back(static_cast<std::int32_t>(movers.id[m].value));
+    worker.mover_ids.push_back(movers.id[m]);
   }
 }
 
@@ -91,16 +92,21 @@ void SpaceFleet::sense_robots(std::size_t k, std::size_t runs, SpaceWorker& work
   fill_braking(law, seen);
 }
 
+ObstacleId SpaceFleet::obstacle_of(std::size_t box) const {
+  const std::vector<std::int64_t>& named = scenario.obstacle_of_box;
+  return {box < named.size() ? static_cast<std::uint64_t>(named[box]) : box};
+}
+
 void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
   const Vec3 place = robots[k].position;
   worker.lost = senses.own_error(k);
   worker.boxes.clear();
-  worker.box_number.clear();
+  worker.box_ids.clear();
   for (std::size_t b = 0; b < scenario.boxes.size(); ++b) {
     const Box& box = scenario.boxes[b];
     if (nearest(place, place, box).distance - box.radius > trips[k].box_range) continue;
     worker.boxes.push_back(senses.know_places() ? box : moved(box, -worker.lost));
-    worker.box_number.push_back(static_cast<std::int32_t>(b));
+    worker.box_ids.push_back(obstacle_of(b));
   }
 }
 
@@ -178,6 +184,17 @@ bool SpaceFleet::rests_at_place(std::size_t k) const {
   return has_stood[k] != 0 && robots[k].velocity == Vec3{} && shares_goal(k);
 }
 
+void SpaceFleet::name_touched(std::size_t k, const SpaceWorker& worker) {
+  Plan& plan = plans[k];
+  touched[k] = {};
+  // the step knows neighbors by their numbers, which are their ids
+  if (plan.neighbor >= 0) touched[k].robot = {static_cast<std::uint64_t>(plan.neighbor)};
+  if (plan.box >= 0) touched[k].obstacle = worker.box_ids[static_cast<std::size_t>(plan.box)];
+  if (plan.mover >= 0)
+    touched[k].moving_obstacle = worker.mover_ids[static_cast<std::size_t>(plan.mover)];
+  plan.neighbor = plan.box = plan.mover = -1;
+}
+
 void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
   const std::size_t k = cells.order()[at];
   find_boxes(k, worker);
@@ -187,9 +204,7 @@ void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
     head_for_goal(k, around, worker);
     plans[k] = space::decide(options, horizons, law, robots[k], around, true, worker.scratch,
                              detours[k], NoTrace{});
-    Plan& plan = plans[k];
-    if (plan.box >= 0) plan.box = worker.box_number[static_cast<std::size_t>(plan.box)];
-    if (plan.mover >= 0) plan.mover = worker.mover_number[static_cast<std::size_t>(plan.mover)];
+    if (plans[k].status == PlanStatus::overlapping) name_touched(k, worker);
   };
   if (senses.are_exact())
     return decide({.bodies = bodies,

@@ -33,7 +33,8 @@ struct AVO_LOCAL SpaceWorker {
   std::vector<Box> boxes;  // as the robot sees them
   Vec3 lost;               // m, by which it errs in its own place
   std::vector<Mover> movers;
-  std::vector<std::int32_t> box_number, mover_number;  // in the scene; the value of its id
+  std::vector<ObstacleId> box_ids;          // of the boxes
+  std::vector<MovingObstacleId> mover_ids;  // of the movers
   HeadingScratch routes;
   std::vector<Neighbor> neighbors, on_map;  // where they are, and where the robot takes them to be
   SpaceOccupied occupied;
@@ -46,7 +47,7 @@ struct Trip {
   double box_range;        // m
 };
 
-/// What a robot knows and remembers on its way to its goal.
+/// What a robot knows and remembers on its route to its goal.
 struct Travelling {
   Robot& robot;
   SpaceRoute& route;
@@ -72,6 +73,7 @@ struct AVO_LOCAL SpaceFleet {
   std::vector<Robot> robots;
   std::vector<Detour> detours;
   std::vector<Plan> plans;
+  std::vector<Simulation::Touched> touched;  // where the last plan is overlapping
   std::vector<Trip> trips;
   SpaceRoutes routes;
   SharedGoals shares;                   // as of the last step
@@ -101,6 +103,10 @@ struct AVO_LOCAL SpaceFleet {
   void sense_movers(std::size_t k, SpaceWorker& worker) const;
   /// The robots that a robot senses by measurements, in the memory of the worker.
   void sense_robots(std::size_t k, std::size_t runs, SpaceWorker& worker) const;
+  /// The static obstacle that a box of the scene is of.
+  [[nodiscard]] ObstacleId obstacle_of(std::size_t box) const;
+  /// Puts ids in the place of the lists of one decision.
+  void name_touched(std::size_t k, const SpaceWorker& worker);
   /// The boxes that matter to a robot, where it sees them.
   void find_boxes(std::size_t k, SpaceWorker& worker) const;
   /// Sets the preferred velocity of robot k: along its route, where boxes are in between.

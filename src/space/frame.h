@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pair of space in a plane: the half-space of a pair is the half-plane of the paper in the plane
-// of p and v (docs/space.md, "The half-space of a pair").
+// A pair of space in a plane: its half-space is the half-plane of the paper in the plane of p and
+// v. See docs/space.md, "The half-space of a pair".
 #pragma once
 #include "avo/vec.h"
 #include "avo/vec3.h"

@@ -10,8 +10,8 @@ namespace avo::space {
 namespace {
 
 constexpr double kShortest = 0.5;  // of the full horizon
-// Parts of what a robot flies in the full horizon: so near its goal the horizon is the shortest
-// one, and from so far away on the full one.
+// Parts of what a robot flies in the full horizon. Within the first distance of its goal the
+// horizon is the shortest one, and from the second distance on the full one.
 constexpr double kNearGoal = 1.25, kFarFromGoal = 1.75;
 constexpr int kParts = 16;  // a step of the horizon of 3 s is 0.1 s
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One look at all bodies around a robot: for which of them it may have to brake, which half-spaces
-// can cut, and which bodies are traffic. What is left out changes no bit of a decision.
+// One look at all bodies around a robot. It finds the bodies for which the robot may have to brake,
+// the half-spaces that can cut, and the traffic. What is left out changes no bit of a decision.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -88,8 +88,8 @@ struct Looked {
   std::vector<std::pair<double, double>> nearest;  // squared distances and numbers
 };
 
-/// Looks at the bodies of these runs, which share no place. Of those within the range, the
-/// `max_neighbors` nearest may get half-spaces. Sets all of the result but the pairs.
+/// Looks at the bodies of these runs, which share no place. The `max_neighbors` nearest of those
+/// within the range may get half-spaces. Sets all of the result but the pairs.
 void look_at(Viewer& look, const Bodies& bodies, std::span<const Run> runs,
              std::optional<int> max_neighbors, Looked& looked);
 

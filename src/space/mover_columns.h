@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The moving obstacles of a fleet of space: who they are, and where they are now.
+// The moving obstacles of a fleet of space: their ids, and where they are now.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace avo::space {
 /// Columns by ascending id, beside those of the scene's moving obstacles.
 struct MoverColumns {
   std::vector<MovingObstacleId> id;
-  std::vector<std::int64_t> since;  // the step at whose start its position and velocity hold
+  std::vector<std::int64_t> since;  // its position and velocity hold at the start of this step
   std::vector<Mover> now;
   std::vector<MoverState> before;  // at the start of the last step, or when it came
   std::uint64_t next_id = 0;

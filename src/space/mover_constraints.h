@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moving obstacles demand of a robot of space: at rest, or never begun to move, when one of
-// them touches it (docs/certificate/movers.md, word for word with balls for discs).
+// What moving obstacles demand of a robot of space: it is at rest, or has never begun to move, when
+// one of them touches it. The text is docs/certificate/movers.md with balls for discs.
 #pragma once
 #include <span>
 
@@ -18,7 +18,7 @@ struct MoverConstraints {
   Invariant invariant;
   bool stays_at_rest = false;  ///< so near a moving obstacle that it may not begin to move
   bool has_cones = false;
-  bool counts = false;  ///< whether candidates are judged beside moving obstacles
+  bool counts = false;  ///< whether candidates are tested beside moving obstacles
 
   void clear();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot's own space, in which z is divided by `vertical`: its limits are balls there, and braking
-// is as in a space without directions (docs/space.md, "Unequal limits").
+// A robot's own space, in which z is divided by `vertical`. Its limits are balls there, and braking
+// knows no directions (docs/space.md, "Unequal limits").
 #pragma once
 #include <algorithm>
 

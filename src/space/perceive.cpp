@@ -30,15 +30,12 @@ Simulation::Perception SpaceFleet::perceive(std::size_t k) {
   find_boxes(k, worker);
   const std::size_t runs = cells.around(robots[k].position, worker.runs);
   sense_movers(k, worker);
-  Simulation::Perception seen{
-      .robot = robots[k], .boxes = worker.boxes, .movers = worker.movers, .detour = detours[k]};
-  for (const std::int32_t box : worker.box_number) {
-    const auto at = static_cast<std::size_t>(box);
-    const std::vector<std::int64_t>& named = scenario.obstacle_of_box;
-    seen.box_ids.push_back({static_cast<std::uint64_t>(at < named.size() ? named[at] : box)});
-  }
-  for (const std::int32_t mover : worker.mover_number)
-    seen.mover_ids.push_back({static_cast<std::uint64_t>(mover)});
+  Simulation::Perception seen{.robot = robots[k],
+                              .boxes = worker.boxes,
+                              .box_ids = worker.box_ids,
+                              .movers = worker.movers,
+                              .mover_ids = worker.mover_ids,
+                              .detour = detours[k]};
   std::vector<std::size_t> places;
   if (senses.are_exact()) {
     for (const Run& run : std::span(worker.runs).first(runs)) {

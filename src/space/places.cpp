@@ -26,9 +26,9 @@ double distance_to_segment(Vec3 point, Vec3 a, Vec3 b) {
   return norm(to - part * along);
 }
 
-// The free place in sight of least cost, see the plane's. The nearest free place is where a ball
-// around a robot at rest is nearest to the goal, or where the circle is in which two balls meet, or
-// the circle that is last seen, or where three balls meet.
+// The free place in sight of least cost, see the plane's. Each robot at rest has a ball around it.
+// Candidates are the points nearest to the goal of a ball, of the circle in which two balls meet,
+// and of the circle that is last seen. The others are points in which three balls meet.
 class SpacePlaceSearch {
  public:
   SpacePlaceSearch(const SpaceSeeker& seeker, SpaceOccupied& occupied, std::span<const Box> boxes)
@@ -126,7 +126,7 @@ class SpacePlaceSearch {
     try_place(middle + (across * cosine) * e - (across * sine) * f);
   }
 
-  // Returns the robot at rest that is in the way of a place that would be worth it.
+  // Returns the robot at rest that occupies a place that would be worth it.
   const SpaceResting* try_place(Vec3 place) {
     const double left = norm(place - seeker_.goal);
     if (!(left < cost_)) return nullptr;

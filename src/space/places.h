@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The place where a robot comes to rest if others stand on its goal, or have it as well, from what
-// the robot sees of them: as in the plane (docs/arrival.md, rule 4), with balls for discs.
+// The place where a robot comes to rest if others stand on its goal, or have it as well. It follows
+// from what the robot sees of them, as in the plane (docs/arrival.md, rule 4), with balls for
+// discs.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eq. (23) in space: of the points in two balls and some half-spaces the one nearest to a wish, and
-// where there is none, the least unsafe one (docs/space.md, "Programs").
+// Eq. (23) in space: the point in two balls and some half-spaces that is nearest to a wish. Where
+// there is none, it is the least unsafe point (docs/space.md, "Programs").
 #pragma once
 #include <array>
 #include <cstddef>

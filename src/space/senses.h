@@ -41,7 +41,7 @@ struct PastStates {
 };
 
 /// The states that measurements may use. Measurements are made of these states and of random
-/// numbers that are found by (seed, step, observer, other): neither the order of robots nor the
+/// numbers that follow from (seed, step, observer, other). So neither the order of robots nor the
 /// number of threads matters.
 struct Senses {
   SensingModel model = {};

@@ -64,6 +64,11 @@ std::span<const Robot> Simulation::robots() const {
 std::span<const Plan> Simulation::plans() const {
   return state_->plans;
 }
+std::optional<Simulation::Touched> Simulation::touched(RobotId robot) const {
+  const std::size_t k = state_->find(robot);
+  if (state_->plans[k].status != PlanStatus::overlapping) return std::nullopt;
+  return state_->touched[k];
+}
 std::span<const Mover> Simulation::movers() const {
   return state_->movers.now;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a decision in space tells of itself while it is made. decide() takes a trace as a template
-// parameter, and calls it where it knows a reason. A step passes NoTrace, which compiles to
-// nothing. Recorder keeps the reasons, for space::Planner::explain().
+// parameter. decide() calls the trace where it knows a reason. A step passes NoTrace, which
+// compiles to nothing. Recorder keeps the reasons, for space::Planner::explain().
 #pragma once
 #include <span>
 #include <vector>
@@ -20,7 +20,7 @@ struct TraceRecord {
   DecisionTrace decision;
   std::span<const Box> boxes;           ///< as given
   std::span<const Mover> movers;        ///< as given
-  std::vector<Cause>* asked = nullptr;  ///< receives who refuses what was asked for last
+  std::vector<Cause>* asked = nullptr;  ///< receives what refuses the last request
 };
 
 struct AVO_LOCAL Recorder {
@@ -38,7 +38,7 @@ struct AVO_LOCAL Recorder {
   void asks_off(Vec3 detour) const;
   /// What was asked for last is beyond the robot's own limits.
   void is_refused() const;
-  /// The constraints refuse the candidate that was last judged, m/s.
+  /// The constraints refuse the candidate that was last tested, m/s.
   void is_refused(const Robot& robot, Vec3 candidate, const StepLaw& law,
                   Constraints& constraints) const;
   /// keep_evasion() has replaced the choice.

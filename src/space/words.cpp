@@ -19,16 +19,6 @@ bool is_slow(const Explanation& e, Vec3 v) {
   return norm(v) < kResting * e.seen.robot.max_speed;
 }
 
-Words name_of(const Explanation& e, Cause cause) {
-  const auto named = [](const char* kind, const auto& ids, int index) {
-    return kind + std::to_string(ids[static_cast<std::size_t>(index)].value);
-  };
-  if (cause.neighbor >= 0) return named("robot ", e.seen.neighbor_ids, cause.neighbor);
-  if (cause.box >= 0) return named("obstacle ", e.seen.box_ids, cause.box);
-  if (cause.mover >= 0) return named("moving obstacle ", e.seen.mover_ids, cause.mover);
-  return "its own limits";
-}
-
 // The names of those that are not the robot itself.
 Words list_of(const Explanation& e, const std::vector<Cause>& causes) {
   std::vector<Words> names;
@@ -37,7 +27,7 @@ Words list_of(const Explanation& e, const std::vector<Cause>& causes) {
   return guidance::list_of(names);
 }
 
-// The neighbor or moving obstacle whose center is nearest.
+// The neighbor or moving obstacle with the nearest center.
 Cause nearest_of(const Explanation& e) {
   Cause nearest;
   double least = std::numeric_limits<double>::infinity();  // m²
@@ -177,6 +167,17 @@ std::string sentence_of(const Explanation& e, bool is_certified) {
 }
 
 }  // namespace
+
+std::string name_of(const Explanation& explanation, Cause cause) {
+  const auto named = [](const char* kind, const auto& ids, int index) {
+    return kind + std::to_string(ids[static_cast<std::size_t>(index)].value);
+  };
+  const Simulation::Perception& seen = explanation.seen;
+  if (cause.neighbor >= 0) return named("robot ", seen.neighbor_ids, cause.neighbor);
+  if (cause.box >= 0) return named("obstacle ", seen.box_ids, cause.box);
+  if (cause.mover >= 0) return named("moving obstacle ", seen.mover_ids, cause.mover);
+  return "its own limits";
+}
 
 void explain_decision(const Planner& planner, Explanation& explanation) {
   const Simulation::Perception& seen = explanation.seen;

@@ -22,6 +22,10 @@ class WallGrid {
     const std::span<const std::uint32_t> list = grid_.list_at(place);
     return {entries_.data() + (list.data() - grid_.lists().data()), list.size()};
   }
+  /// The indices of those walls, in the list that the grid was made of.
+  [[nodiscard]] std::span<const std::uint32_t> numbers_near(Vec2 place) const {
+    return grid_.list_at(place);
+  }
   /// The largest number of walls that near() returns.
   [[nodiscard]] std::size_t most() const { return most_; }
 

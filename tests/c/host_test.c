@@ -20,10 +20,10 @@ static avo_simulation_id lanes(void) {
 
 static void check_robots(void) {
   const avo_simulation_id simulation = lanes();
-  const avo_vec2 up = {0.0, 1.0};
+  const avo_vec2 up = {0.0, 0.5}, fast = {0.0, 1.5};
   const avo_robot_id second = {2}, gone = {77};
   avo_robot_def def = avo_default_robot_def();
-  avo_vec2 position;
+  avo_vec2 position, velocity;
   bool is_there = true;
   REQUIRE(avo_simulation_get_robot_def(simulation, second, &def));
   def.max_speed = def.preferred_speed = 0.5;
@@ -42,6 +42,13 @@ static void check_robots(void) {
   REQUIRE(avo_simulation_is_at_goal(simulation, second, &is_there));
   CHECK(!is_there);
   REQUIRE(avo_simulation_set_preferred_velocity(simulation, second, NULL));
+  REQUIRE(avo_simulation_set_velocity(simulation, second, &up));
+  REQUIRE(avo_simulation_step(simulation));
+  REQUIRE(avo_simulation_get_velocity(simulation, second, &velocity));
+  CHECK(velocity.x == 0.0 && velocity.y == 0.5);
+  REFUSES(avo_simulation_set_velocity(simulation, second, &fast), AVO_ERROR_INVALID_VALUE,
+          "robot 1: velocity: found 1.5 m/s, must be at most its max_speed, 0.5 m/s");
+  REQUIRE(avo_simulation_set_velocity(simulation, second, NULL));
   for (int k = 0; k < 1200; ++k) REQUIRE(avo_simulation_step(simulation));
   REQUIRE(avo_simulation_is_at_goal(simulation, second, &is_there));
   CHECK(is_there);

@@ -288,6 +288,38 @@ static void moving_obstacles_come_and_go(void) {
   REQUIRE(avo_destroy_space_simulation(fleet));
 }
 
+/* Without a certificate, a ball may touch robot 2 from the start. */
+static void contacts_are_named_by_ids(void) {
+  avo_space_robot_def robots[2] = {avo_default_space_robot_def(), avo_default_space_robot_def()};
+  avo_space_simulation_def def = avo_default_space_simulation_def();
+  avo_space_moving_obstacle_def balls[2] = {avo_default_space_moving_obstacle_def(),
+                                            avo_default_space_moving_obstacle_def()};
+  avo_space_simulation_id fleet;
+  avo_space_touched touched;
+  avo_space_plan plan;
+  robots[1].position = robots[1].goal = at(0, 40, 0);
+  balls[0].position = at(0, 20, 0);
+  balls[1].position = at(0, 40.7, 0);
+  def.robots = robots;
+  def.robot_count = 2;
+  def.moving_obstacles = balls;
+  def.moving_obstacle_count = 2;
+  def.certificate = AVO_CERTIFICATE_NONE;
+  REQUIRE(avo_create_space_simulation(&def, &fleet));
+  REQUIRE(avo_space_simulation_step(fleet));
+  REQUIRE(avo_space_simulation_get_plan(fleet, robot(2), &plan));
+  CHECK(plan.status == AVO_PLAN_OVERLAPPING && fabsf(plan.depth - 0.3F) < 1e-6F);
+  CHECK(plan.neighbor == -1 && plan.box == -1 && plan.mover == -1);
+  REQUIRE(avo_space_simulation_get_touched(fleet, robot(2), &touched));
+  CHECK(touched.moving_obstacle.value == 2);
+  CHECK(touched.robot.value == 0 && touched.obstacle.value == 0);
+  REQUIRE(avo_space_simulation_get_touched(fleet, robot(1), &touched));
+  CHECK(touched.moving_obstacle.value == 0 && touched.robot.value == 0);
+  REFUSES(avo_space_simulation_get_touched(fleet, robot(9), &touched), AVO_ERROR_INVALID_ID,
+          "robot: found 9");
+  REQUIRE(avo_destroy_space_simulation(fleet));
+}
+
 /* The goal of the second robot is below the floor. */
 static void goals_out_of_reach_are_told(void) {
   avo_space_robot_def robots[2] = {avo_default_space_robot_def(), avo_default_space_robot_def()};
@@ -411,6 +443,7 @@ int main(void) {
   one_robot_evades_what_moves();
   set_points_are_one_delay_late();
   moving_obstacles_come_and_go();
+  contacts_are_named_by_ids();
   goals_out_of_reach_are_told();
   events_are_told();
   scene_files_are_read();

@@ -70,25 +70,21 @@ const std::vector<Bad> kEntries{
     {"not_a_list", "obstacles: {polyline: [[0, 0], [1, 0]]}\n",
      "DIR/s.yaml:4:12: obstacles: found a map, must be a list"},
     {"singular", "obstacle: []\n",
-     "DIR/s.yaml:4:1: found the unknown key \"obstacle\", allowed are version, name, time_step, "
-     "duration, control_time, response_time, comfort_acceleration, comfort_jerk, margin, "
-     "never_swerves, time_horizon, "
-     "sensing_radius, max_neighbors, method, external_method, certificate, "
-     "motion, arrival_distance, seed, robots, groups, robots_from, "
-     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, "
-     "execution, execution_error, clock, allow_broken_assumptions; did "
-     "you mean "
-     "\"obstacles\"?"},
+     "DIR/s.yaml:4:1: found the unknown key \"obstacle\", did you mean \"obstacles\"? Allowed are "
+     "version, name, time_step, duration, control_time, response_time, comfort_acceleration, "
+     "comfort_jerk, margin, never_swerves, time_horizon, sensing_radius, max_neighbors, method, "
+     "external_method, certificate, motion, arrival_distance, seed, robots, groups, robots_from, "
+     "moving_obstacles, obstacles, navigation, right_of_way, sensing, sensing_error, execution, "
+     "execution_error, clock, allow_broken_assumptions"},
     {"navigation_word", "navigation: maybe\n",
      "DIR/s.yaml:4:13: navigation: found \"maybe\", must be true or false"},
     entry("no_map", "7",
           "5: obstacles.0: found 7, must be a map with keys polyline, layers, polygon, solid, "
           "disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map"),
     entry("misspelled", "{polylin: [[0, 0], [1, 0]]}",
-          "6: obstacles.0: found the unknown key \"polylin\", allowed are polyline, layers, "
-          "polygon, solid, disc, wkt, as, wkt_file, geojson, map, cell, origin, ros_map; did you "
-          "mean "
-          "\"polyline\"?"),
+          "6: obstacles.0: found the unknown key \"polylin\", did you mean \"polyline\"? Allowed "
+          "are polyline, layers, polygon, solid, disc, wkt, as, wkt_file, geojson, map, cell, "
+          "origin, ros_map"),
     entry("no_kind", "{solid: true}",
           "5: obstacles.0: found 0 kinds, must be one of polyline, polygon, disc, wkt, wkt_file, "
           "geojson, map, ros_map"),
@@ -112,11 +108,11 @@ const std::vector<Bad> kEntries{
     entry("disc_negative", "{disc: {center: [0, 0], radius: -1}}",
           "37: obstacles.0.disc.radius: found -1, must be >= 0 m"),
     entry("disc_misspelled", "{disc: {centre: [0, 0], radius: 1}}",
-          "13: obstacles.0.disc: found the unknown key \"centre\", allowed are center, radius; did "
-          "you mean \"center\"?"),
+          "13: obstacles.0.disc: found the unknown key \"centre\", did you mean \"center\"? "
+          "Allowed are center, radius"),
     entry("as_word", "{wkt: \"POLYGON ((0 0, 1 0, 1 1, 0 0))\", as: bound}",
-          "49: obstacles.0.as: found \"bound\", must be one of solid, bounds; did you mean "
-          "\"bounds\"?"),
+          "49: obstacles.0.as: found \"bound\", did you mean \"bounds\"? Must be one of solid, "
+          "bounds"),
     entry("bounds_of_lines", "{wkt: \"LINESTRING (0 0, 1 0)\", as: bounds}",
           "40: obstacles.0.as: found bounds without a polygon, must have one, no robot may start "
           "outside of it"),
@@ -151,9 +147,8 @@ const std::vector<Bad> kWkts{
         "1:1: found \"POINT\", a point has no size; a pillar is {disc: {center: [x, y], radius: "
         "r}}"),
     wkt("polygn", "LINESTRING (0 0, 1 0)\n POLYGN ((0 0, 1 0, 1 1, 0 0))",
-        "2:2: found \"POLYGN\", must be one of LINESTRING, LINEARRING, POLYGON, MULTILINESTRING, "
-        "MULTIPOLYGON, "
-        "GEOMETRYCOLLECTION; did you mean \"POLYGON\"?"),
+        "2:2: found \"POLYGN\", did you mean \"POLYGON\"? Must be one of LINESTRING, LINEARRING, "
+        "POLYGON, MULTILINESTRING, MULTIPOLYGON, GEOMETRYCOLLECTION"),
     wkt("srid", "SRID=4326;POLYGON ((0 0, 1 0, 1 1, 0 0))",
         "1:1: found \"SRID=4326;POLYGON\", must be one of LINESTRING, LINEARRING, POLYGON, "
         "MULTILINESTRING, "
@@ -225,8 +220,8 @@ const std::vector<Bad> kRosMaps{
     ros("twice", kRos + "negate: 1\n", "",
         "m.yaml:7:1: found the key \"negate\" twice, allowed is once, the first is in line 4"),
     ros("mode", kRos + "mode: raws\n", "",
-        "m.yaml:7:7: mode: found \"raws\", must be one of trinary, scale, raw; did you mean "
-        "\"raw\"?"),
+        "m.yaml:7:7: mode: found \"raws\", did you mean \"raw\"? Must be one of trinary, scale, "
+        "raw"),
     ros("negate",
         "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 2\n"
         "occupied_thresh: 0.6\nfree_thresh: 0.2\n",
@@ -284,9 +279,9 @@ const std::vector<Bad> kScens{
          "m",
          "{scen: a.scen, number: 2, radius: 0.6}"),
     scen("unknown_key", "",
-         "s.yaml:5:29: robots_from: found the unknown key \"numbr\", allowed "
-         "are scen, number, " +
-             kGroupRobotKeys + "; did you mean \"number\"?",
+         "s.yaml:5:29: robots_from: found the unknown key \"numbr\", did you mean \"number\"? "
+         "Allowed are scen, number, " +
+             kGroupRobotKeys,
          "{scen: a.scen, numbr: 2}"),
     {"no_map",
      "robots_from: {scen: a.scen, number: 1}\n",

@@ -30,9 +30,10 @@ BadScene obstacle(const char* name, const std::string& text, const std::string& 
 }
 
 const std::vector<BadScene> kScenes{
-    obstacle("typo", "{flor: 0}",
-             "6:6: obstacles.0: found the unknown key \"flor\", allowed are " + kKeys +
-                 "; did you mean \"floor\"?"),
+    obstacle(
+        "typo", "{flor: 0}",
+        "6:6: obstacles.0: found the unknown key \"flor\", did you mean \"floor\"? Allowed are " +
+            kKeys),
     obstacle("no_kind", "{}", "6:5: obstacles.0: found 0 kinds, must be one of " + kKinds),
     obstacle("height_number", "{polyline: [[3, 0], [3, 9]], height: 3}",
              "6:42: obstacles.0.height: found 3, must be [low, high] in m"),

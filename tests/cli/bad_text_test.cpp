@@ -35,12 +35,11 @@ TEST(BadText, files_that_are_no_files) {
   EXPECT_EQ(missing.exit_code, 4);
   EXPECT_EQ(
       missing.err,
-      "circel-10: found no such file and no scene of that name, scenes are arena, bottleneck, "
-      "cars-100, circle-N, corridor, corridor-one-lane, crossed-crowd, crossing-streams, "
-      "crowdnav-circle, crowdnav-square, doorway, doorway-narrow, drives-100, maze, mixed-fleet, "
-      "mixed-yard, moving-obstacle, office, permutation-100, person, planes-12, "
-      "positions-exchange, reversing-cars, swap-blocks, "
-      "uniform-N, warehouse; did you mean \"circle-10\"?\n");
+      "circel-10: found no such file and no scene of that name, did you mean \"circle-10\"? Scenes "
+      "are arena, bottleneck, cars-100, circle-N, corridor, corridor-one-lane, crossed-crowd, "
+      "crossing-streams, crowdnav-circle, crowdnav-square, doorway, doorway-narrow, drives-100, "
+      "maze, mixed-fleet, mixed-yard, moving-obstacle, office, permutation-100, person, planes-12, "
+      "positions-exchange, reversing-cars, swap-blocks, uniform-N, warehouse\n");
 }
 
 TEST(BadText, size_is_limited_before_reading_on) {

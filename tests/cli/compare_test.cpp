@@ -169,8 +169,8 @@ TEST(Compare, refuses_what_it_cannot_compare_in_one_line) {
     return result.err;
   };
   EXPECT_EQ(refused({table, "--by", "methd"}, 2),
-            "avo: --by: found methd, must be one of scene, method, time_horizon; did you mean "
-            "\"method\"?\n");
+            "avo: --by: found methd, did you mean \"method\"? Must be one of scene, method, "
+            "time_horizon\n");
   EXPECT_THAT(refused({table, "--columns", "arrivel_50"}, 2),
               HasSubstr("did you mean \"arrival_50\"?"));
   EXPECT_THAT(refused({table, "--traces", figure}, 2),

@@ -99,8 +99,8 @@ TEST(Convert, wrong_command_lines_take_one_line) {
           "the output out.txt: found the ending .txt without --to, must be with --to "
           "pedestrian-text or obsmat");
   refused({"out.csv", "--to", "mcab"},
-          "--to: found mcab, must be one of csv, sqlite, pedestrian-hdf5, mcap, pedestrian-text, "
-          "obsmat, recording, gltf, set-points; did you mean mcap?");
+          "--to: found mcab, did you mean \"mcap\"? Must be one of csv, sqlite, pedestrian-hdf5, "
+          "mcap, pedestrian-text, obsmat, recording, gltf, set-points");
   refused({"out.csv", "--to", "sqlite"},
           "the output out.csv: found the ending .csv, must be .sqlite or none");
   refused({"out.mcap"},

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "avo/method.h"
 #include "avo/simulation.h"
 #include "avo_io/scene.h"
 #include "run_avo.h"
@@ -106,6 +107,15 @@ TEST(Explain, names_moving_obstacles) {
   ASSERT_EQ(json["neighbors"].size(), 1U);
 }
 
+TEST(Explain, tells_methods_that_choose_outside_the_union_of_obstacles) {
+  for (const avo::MethodTraits& method : avo::kMethodTraits) {
+    if (avo::is_external(method.method)) continue;
+    const std::string set = std::string("method=") + avo::to_string(method.method);
+    const Json json = explained({"circle-10", "--robot", "0", "--time", "0.1", "--set", set});
+    EXPECT_EQ(json["rule"], method.avoids_union ? "union_of_obstacles" : "half_planes") << set;
+  }
+}
+
 TEST(Explain, a_robot_alone_avoids_the_union_of_obstacles) {
   const Json json = explained({"moving-obstacle", "--robot", "0", "--time", "5"});
   EXPECT_EQ(json["rule"], "union_of_obstacles");
@@ -138,7 +148,7 @@ TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
     simulation.planner().collect_certificate(seen.robot, seen.neighbors, workspace, constraints);
     EXPECT_EQ(constraints.empty(), std::string(kind) == "none");
     EXPECT_EQ(json["certificate_kind"], kind);
-    EXPECT_EQ(json["detour"], seen.detour.angle);
+    EXPECT_EQ(json["detour_angle"], seen.detour.angle);
     ASSERT_EQ(json["certificate"].size(), constraints.size());
     for (std::size_t k = 0; k < constraints.size(); ++k) {
       const avo::CertificateConstraint& expected = constraints[k];
@@ -156,7 +166,7 @@ TEST(Explain, tells_the_certificate_apart_from_the_half_planes) {
 
 TEST(Explain, other_methods_have_no_certificate) {
   const Json json = explained({"circle-10", "--robot", "3", "--time", "8", "--set", kPaper});
-  for (const char* key : {"certificate_kind", "certificate", "detour"})
+  for (const char* key : {"certificate_kind", "certificate", "detour_angle"})
     EXPECT_FALSE(json.contains(key)) << key;
 }
 
@@ -292,6 +302,8 @@ TEST(Explain, lists_half_planes_of_walls_and_what_the_certificate_keeps) {
     EXPECT_EQ(point(json["walls"][1]["a"]), seen.walls[1].a);
     EXPECT_EQ(point(json["walls"][1]["b"]), seen.walls[1].b);
     EXPECT_EQ(json["walls"][1]["radius"], seen.walls[1].radius);
+    for (std::size_t k = 0; k < seen.walls.size(); ++k)
+      EXPECT_EQ(json["walls"][k]["obstacle"], seen.wall_source[k]);
 
     avo::WallPlanes planes;
     simulation.planner().collect_half_planes(seen.robot, seen.walls, planes);

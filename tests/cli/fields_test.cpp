@@ -175,9 +175,10 @@ void check_misspellings(const std::vector<avo_io::Field<T>>& table, const std::s
     const std::string key(field.key);
     const std::string wrong = key.substr(0, key.size() - 1) + (key.ends_with('x') ? "y" : "x");
     const std::string unknown = refusal_of_text(before + wrong + ": 1" + after);
-    EXPECT_NE(unknown.find("found the unknown key \"" + wrong + "\""), std::string::npos)
+    EXPECT_NE(
+        unknown.find("found the unknown key \"" + wrong + "\", did you mean \"" + key + "\"?"),
+        std::string::npos)
         << unknown;
-    EXPECT_TRUE(unknown.ends_with("; did you mean \"" + key + "\"?")) << unknown;
     const std::string twice = refusal_of_text(before + key + ": 1, " + key + ": 1" + after);
     EXPECT_NE(twice.find("found the key \"" + key + "\" twice"), std::string::npos) << twice;
   }

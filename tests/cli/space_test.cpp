@@ -148,8 +148,10 @@ TEST(SpaceScenes, bad_scenes_are_refused_by_place_and_allowed_values) {
   EXPECT_THAT(refused(scene_with("space: 3", "space: 4")),
               HasSubstr("bad.yaml:2:8: space: found 4, must be 2 or 3"));
   EXPECT_THAT(refused(scene_with("climb", "clim")), HasSubstr("did you mean \"climb\"?"));
-  EXPECT_THAT(refused(scene_with("goal: antipodal", "goal: antipode")),
-              HasSubstr("groups.0.goal: found \"antipode\", must be one of antipodal, permuted"));
+  EXPECT_THAT(
+      refused(scene_with("goal: antipodal", "goal: antipode")),
+      HasSubstr("groups.0.goal: found \"antipode\", did you mean \"antipodal\"? Must be one of "
+                "antipodal, permuted"));
   EXPECT_THAT(refused(scene_with("sphere: {radius: 6}, ", "")),
               HasSubstr("must have one of sphere, box, grid"));
   EXPECT_THAT(refused(scene_with("vertical: 0.5", "vertical: 0")), HasSubstr("must be > 0"));

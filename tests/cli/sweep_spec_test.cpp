@@ -60,14 +60,13 @@ TEST(SweepSpec, refuses_each_key_where_it_stands) {
       {"version: 1\nscenes: ['-']\n",
        "s:2:10: scenes.0: found \"-\", must be a name or a file, not the standard input"},
       {head + "sceens: 1\n",
-       "s:3:1: found the unknown key \"sceens\", allowed are version, scenes, methods, parameters, "
-       "seeds, threads, until_arrived, line, judged; did you mean \"scenes\"?"},
+       "s:3:1: found the unknown key \"sceens\", did you mean \"scenes\"? Allowed are version, "
+       "scenes, methods, parameters, seeds, threads, until_arrived, line, judged"},
       {head + "judged: [0, 0]\n", "s:3:13: judged.1: found 0 twice, must be there once"},
       {head + "judged: [-1]\n", "s:3:10: judged.0: found -1, must be >= 0"},
       {head + "methods: [ocra]\n",
-       "s:3:11: methods.0: found \"ocra\", must be one of avo, "
-       "avo_paper, velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, "
-       "buffered_voronoi; did you mean \"orca\"?"},
+       "s:3:11: methods.0: found \"ocra\", did you mean \"orca\"? Must be one of avo, avo_paper, "
+       "velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi"},
       {head + "parameters: [1]\n",
        "s:3:13: parameters: found a list, must be a map from keys to lists of values"},
       {head + "parameters: {time_step: 0.1}\n",

@@ -23,6 +23,14 @@ def test_robots_change_and_are_led():
     simulation.step(100)
     assert simulation.position()[1][1] > 7 and not simulation.at_goal()[1]
     simulation.set_preferred_velocity(1, None)
+    simulation.set_velocity(1, (0, 0.5))
+    simulation.step()
+    assert simulation.velocity()[1].tolist() == [0, 0.5] and list(simulation.setup(1).avoids) == []
+    assert pickle.loads(pickle.dumps(simulation)).host_velocity(1) == (0, 0.5)
+    with pytest.raises(avo.Error, match="at most its max_speed"):
+        simulation.set_velocity(1, (9, 0))
+    simulation.set_velocity(1, None)
+    assert simulation.host_velocity(1) is None
     simulation.step(1200)
     assert simulation.all_at_goal()
 

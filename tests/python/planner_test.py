@@ -249,9 +249,9 @@ def one_neighbor(**fields):
 
 
 @pytest.mark.parametrize("make, message", [
-    (lambda: avo.Planner(method="avo_papr"), 'method: found "avo_papr", must be one of avo, avo_paper, '
-     'velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi, external, external_clamped; '
-     'did you mean "avo_paper"?'),
+    (lambda: avo.Planner(method="avo_papr"), 'method: found "avo_papr", did you mean "avo_paper"? Must be one of '
+     'avo, avo_paper, velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi, external, '
+     'external_clamped'),
     (lambda: avo.Planner(time_step=-1.0), "time_step: found -1"),
     (lambda: avo.Planner(certificate="stopping_capsules"),
      'certificate: found "stopping_capsules", must be braking_trajectories: stopping_capsules was removed'),
@@ -277,9 +277,9 @@ def one_neighbor(**fields):
     (lambda: one_neighbor(loiter=None), "loiter: found in a batch, must be left out: robots of other models than"),
     (lambda: one_robot(model=avo.Holonomic()), "model: found in a batch, must be left out"),
     (lambda: one_robot(heading=[0.0]), "heading: found in a batch, must be left out"),
-    (lambda: one_robot(max_breaking=1.0), 'field: found "max_breaking", must be one of position, velocity, '
-     'preferred_velocity, radius, max_acceleration, max_speed, distance_to_goal, priority, max_braking; '
-     'did you mean "max_braking"?'),
+    (lambda: one_robot(max_breaking=1.0), 'field: found "max_breaking", did you mean "max_braking"? Must be '
+     'one of position, velocity, preferred_velocity, radius, max_acceleration, max_speed, distance_to_goal, priority, '
+     'max_braking'),
     (lambda: one_neighbor(behavior="decides"), 'field: found "behavior", must be one of position, velocity, offsets'),
     (lambda: one_robot(radius=1j), "radius: found an array of complex128, must be real numbers"),
     (lambda: one_robot(position=[[1j, 2]]), "position: found an array of complex128, must be real numbers"),
@@ -356,6 +356,16 @@ def test_what_is_known_of_a_mover_keeps_robots_out_of_its_way():
         avo.Trajectory([(0, 0, 0), (0, 1, 0)])
     with pytest.raises(avo.Error, match="repeats_from: found 1, must be the time of one of the places"):
         avo.Trajectory([(0, 0, 0)], repeats_from=1)
+
+
+def test_walls_are_known_by_the_ids_of_their_obstacles():
+    scene = avo.Scenario.from_yaml(
+        "version: 1\nobstacles: [{polyline: [[9, -9], [9, 9]]}, {polyline: [[-3, -9], [-3, 9], [-4, 9]]}]\n"
+        "robots: [{position: [0, 3], goal: [0, 3], parked: true}, {position: [0, 0], goal: [0, 0]}]\n")
+    seen = avo.Simulation(scene).perceive(1)
+    assert len(seen.walls) == len(seen.wall_source) and {1, -1} <= set(seen.wall_source)
+    by_source = dict(zip(seen.wall_source, seen.walls))
+    assert by_source[-1].a == (0, 3) and by_source[1].a[0] < 0
 
 
 def test_what_is_perceived_of_paths_outlives_the_simulation():

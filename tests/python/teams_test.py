@@ -89,7 +89,7 @@ def test_formations():
 def test_bad_values_are_refused():
     with pytest.raises(avo.Error, match="line: found 1 points, must be at least 2"):
         avo.Queue([(0, 0)])
-    with pytest.raises(avo.Error, match='formation: found "wegde", must be one of .*did you mean "wedge"'):
+    with pytest.raises(avo.Error, match='formation: found "wegde", did you mean "wedge".* Must be one of line'):
         avo.formation_slots("wegde", 3, 1.0)
     with pytest.raises(avo.Error, match="slots: found 1, must be at least 2"):
         avo.assign_slots([(0, 0), (1, 1)], [(0, 0)])

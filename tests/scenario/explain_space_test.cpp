@@ -240,9 +240,53 @@ TEST(ExplanationsInSpace, name_the_moving_obstacle_that_touches_a_robot_at_rest)
         EXPECT_EQ(why.sentence.find("(safe)"), std::string::npos) << why.sentence;
       }
       simulation.step();
+      const auto touched = simulation.touched({0});
+      EXPECT_EQ(touched.has_value(), plan.status == PlanStatus::overlapping);
+      EXPECT_TRUE(!touched || touched->moving_obstacle == avo::MovingObstacleId{0});
+      EXPECT_EQ(simulation.plans()[0].mover, -1) << "no list is given";
     }
     EXPECT_GT(deepest, 0.3) << is_certified;
   }
+}
+
+// Robots touch because errors of their measurements are not declared. The step and the decision
+// that is explained name the same robot, by its id and by its place in a list.
+TEST(ExplanationsInSpace, name_robots_in_contact_by_their_ids) {
+  avo::space::Scenario scene;
+  scene.sensing.noise = {.position = 0.02, .velocity = 0.04};
+  scene.sensing.delay = 4;
+  scene.sensing.dropped = 0.1;
+  scene.sensing_error = avo::SensingError{};
+  for (int k = 0; k < 30; ++k) {
+    const double angle = 2.399963 * k, height = (2.0 * k + 1.0) / 30.0 - 1.0;
+    const double across = std::sqrt(1.0 - height * height);
+    avo::space::RobotSetup robot;
+    robot.position = 7.0 * Vec3{across * std::cos(angle), across * std::sin(angle), height};
+    robot.goal = -1.0 * robot.position;
+    scene.robots.push_back(robot);
+  }
+  Simulation simulation(scene, 1);
+  int contacts = 0, places = 0;
+  for (int step = 0; step < 200; ++step) {
+    std::vector<Explanation> explained;
+    for (std::size_t k = 0; k < simulation.size(); ++k)
+      explained.push_back(simulation.explain({k}));
+    simulation.step();
+    for (const Explanation& why : explained) {
+      const avo::space::Plan& plan = why.decision.plan;
+      const auto touched = simulation.touched(why.robot);
+      ASSERT_EQ(touched.has_value(), plan.status == PlanStatus::overlapping);
+      EXPECT_EQ(simulation.plans()[why.robot.value].neighbor, -1) << "no list is given";
+      if (!touched) continue;
+      ASSERT_GE(plan.neighbor, 0);
+      const auto place = static_cast<std::size_t>(plan.neighbor);
+      EXPECT_EQ(touched->robot, why.seen.neighbor_ids[place]);
+      EXPECT_FALSE(touched->obstacle || touched->moving_obstacle);
+      ++contacts, places += place != touched->robot->value ? 1 : 0;
+    }
+  }
+  EXPECT_GT(contacts, 10);
+  EXPECT_GT(places, 5) << "ids differ from places";
 }
 
 TEST(ExplanationsInSpace, of_numbers_that_are_none_end_in_braking) {

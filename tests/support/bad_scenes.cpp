@@ -27,17 +27,18 @@ const std::vector<BadScene>& bad_scenes() {
       {"robot_a_number", s("version: 1\nrobots:\n  - 5\n"),
        s("3:5: robots.0: found 5, must be a map with keys ") + kRobotKeys},
       {"unknown_key", kGood + s("time_stp: 0.1\n"),
-       s("4:1: found the unknown key \"time_stp\", allowed are ") + kSceneKeys +
-           "; did you mean \"time_step\"?"},
+       s("4:1: found the unknown key \"time_stp\", did you mean \"time_step\"? Allowed are ") +
+           kSceneKeys},
       {"unknown_key_far", kGood + s("colour: red\n"),
        s("4:1: found the unknown key \"colour\", allowed are ") + kSceneKeys},
       {"unknown_key_in_robot",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_acel: 2}\n"),
-       s("3:38: robots.0: found the unknown key \"max_acel\", allowed are ") + kRobotKeys +
-           "; did you mean \"max_acceleration\"?"},
+       s("3:38: robots.0: found the unknown key \"max_acel\", did you mean \"max_acceleration\"? "
+         "Allowed are ") +
+           kRobotKeys},
       {"swapped_letters", s("version: 1\nrobots:\n  - position: [0, 0]\n    gaol: [1, 0]\n"),
-       s("4:5: robots.0: found the unknown key \"gaol\", allowed are ") + kRobotKeys +
-           "; did you mean \"goal\"?"},
+       s("4:5: robots.0: found the unknown key \"gaol\", did you mean \"goal\"? Allowed are ") +
+           kRobotKeys},
       {"duplicate_key",
        s("version: 1\ntime_step: 0.1\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\ntime_step: "
          "0.2\n"),
@@ -187,9 +188,9 @@ const std::vector<BadScene>& bad_scenes() {
       {"seed_too_large", kGood + s("seed: 18446744073709551616\n"),
        "4:7: seed: found 18446744073709551616, must be < 2^64 = 18446744073709551616"},
       {"method_unknown", kGood + s("method: orka\n"),
-       "4:9: method: found \"orka\", must be one of avo, avo_paper, velocity_obstacle, orca, "
-       "orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi, external, external_clamped; "
-       "did you mean \"orca\"?"},
+       "4:9: method: found \"orka\", did you mean \"orca\"? Must be one of avo, avo_paper, "
+       "velocity_obstacle, orca, orca_clamped, reciprocal_velocity_obstacle, buffered_voronoi, "
+       "external, external_clamped"},
       {"method_number", kGood + s("method: 3\n"),
        "4:9: method: found 3, must be one of avo, avo_paper, velocity_obstacle, orca, "
        "orca_clamped, "
@@ -247,9 +248,8 @@ const std::vector<BadScene>& bad_scenes() {
        "5:16: robots.2.position: found [1, 2], the position of robots.0, must differ from it"},
       {"car_unknown_key",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {wheel_base: 1}}\n"),
-       "3:44: robots.0.car: found the unknown key \"wheel_base\", allowed are wheelbase, "
-       "max_curvature, body, reverse, acceleration_set, heading; "
-       "did you mean \"wheelbase\"?"},
+       "3:44: robots.0.car: found the unknown key \"wheel_base\", did you mean \"wheelbase\"? "
+       "Allowed are wheelbase, max_curvature, body, reverse, acceleration_set, heading"},
       {"airplane_with_a_clock_of_its_own",
        s("version: 1\nclock: free\nrobots:\n  - {position: [0, 0], goal: [1, 0], airplane: {}}\n"),
        "2:8: clock: found free, must be common in a scene with airplanes"},
@@ -265,9 +265,8 @@ const std::vector<BadScene>& bad_scenes() {
        "3:61: robots.0.car: found keys of a car, must be left out: its model is holonomic"},
       {"unknown_model",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], model: cart}\n"),
-       "3:45: robots.0.model: found \"cart\", must be one of holonomic, car, differential_drive, "
-       "airplane; did you mean "
-       "\"car\"?"},
+       "3:45: robots.0.model: found \"cart\", did you mean \"car\"? Must be one of holonomic, car, "
+       "differential_drive, airplane"},
       {"footprint_of_a_holonomic_robot",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], footprint: {length: 3, width: "
          "1}}\n"),
@@ -297,12 +296,12 @@ const std::vector<BadScene>& bad_scenes() {
        "2:8: clock: found free, must be common with footprints: robots.0.footprint is one"},
       {"body_unknown_key",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], car: {body: {ofset: 1}}}\n"),
-       "3:51: robots.0.car.body: found the unknown key \"ofset\", allowed are offset, radius; did "
-       "you mean \"offset\"?"},
+       "3:51: robots.0.car.body: found the unknown key \"ofset\", did you mean \"offset\"? Allowed "
+       "are offset, radius"},
       {"airplane_unknown_key",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], airplane: {min_spee: 1}}\n"),
-       "3:49: robots.0.airplane: found the unknown key \"min_spee\", allowed are min_speed, "
-       "lateral_acceleration, after_goal; did you mean \"min_speed\"?"},
+       "3:49: robots.0.airplane: found the unknown key \"min_spee\", did you mean \"min_speed\"? "
+       "Allowed are min_speed, lateral_acceleration, after_goal"},
       {"airplane_after_goal",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], airplane: {after_goal: "
          "land}}\n"),
@@ -326,8 +325,8 @@ const std::vector<BadScene>& bad_scenes() {
        "car"},
       {"drive_unknown_key",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], drive: {trak: 1}}\n"),
-       "3:46: robots.0.drive: found the unknown key \"trak\", allowed are track, offset, "
-       "wheel_speed, wheel_acceleration; did you mean \"track\"?"},
+       "3:46: robots.0.drive: found the unknown key \"trak\", did you mean \"track\"? Allowed are "
+       "track, offset, wheel_speed, wheel_acceleration"},
       {"drive_brakes_too_hard",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], max_acceleration: 2, drive: "
          "{track: 1.5, offset: 1, wheel_acceleration: 2.5}}\n"),
@@ -360,9 +359,8 @@ const std::vector<BadScene>& bad_scenes() {
            kGroupRobotKeys},
       {"placement_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: cirle, goals: antipodal}\n"),
-       "3:28: groups.0.placement: found \"cirle\", must be one of circle, grid, line, random, "
-       "ring; "
-       "did you mean \"circle\"?"},
+       "3:28: groups.0.placement: found \"cirle\", did you mean \"circle\"? Must be one of circle, "
+       "grid, line, random, ring"},
       {"placement_needs_more",
        s("version: 1\ngroups:\n  - {number: 3, placement: grid, goals: antipodal}\n"),
        "3:28: groups.0.placement.grid: found no \"spacing\", must be given: from robot to robot, "
@@ -396,8 +394,8 @@ const std::vector<BadScene>& bad_scenes() {
        "3:56: groups.0.goals.antipodal: found the unknown key \"center\", no key is allowed"},
       {"task_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, task: quee}\n"),
-       "3:60: groups.0.task: found \"quee\", must be one of queue, follow, patrol, flow; did you "
-       "mean \"queue\"?"},
+       "3:60: groups.0.task: found \"quee\", did you mean \"queue\"? Must be one of queue, follow, "
+       "patrol, flow"},
       {"task_needs_more",
        s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: antipodal, task: {queue: "
          "{spacing: 1}}}\n"),
@@ -414,8 +412,8 @@ const std::vector<BadScene>& bad_scenes() {
       {"formation_unknown",
        s("version: 1\ngroups:\n  - {number: 3, placement: circle, goals: {formation: {shape: "
          "wegde, center: [0, 9]}}}\n"),
-       "3:63: groups.0.goals.formation.shape: found \"wegde\", must be one of line, column, wedge, "
-       "block, ring; did you mean \"wedge\"?"},
+       "3:63: groups.0.goals.formation.shape: found \"wegde\", did you mean \"wedge\"? Must be one "
+       "of line, column, wedge, block, ring"},
       {"line_of_one_point",
        s("version: 1\ngroups:\n  - {number: 3, placement: {line: {from: [1, 1], to: [1, 1]}}, "
          "goals: "

@@ -111,13 +111,8 @@ struct Batch {
       std::fill(column->begin(), column->end(), other);
     }
     std::fill(planes.state.begin(), planes.state.end(), PairState::coincident);
-    for (auto* queue : {&workspace.convex, &workspace.horn}) {
-      for (auto* column : {&queue->index, &queue->d, &queue->v_x, &queue->v_y, &queue->radius,
-                           &queue->reach, &queue->e_x, &queue->e_y, &queue->side}) {
-        std::fill(column->begin(), column->end(), other);
-      }
-    }
-    std::fill(workspace.rest.begin(), workspace.rest.end(), other);
+    for (auto* queue : {&workspace.convex, &workspace.horn, &workspace.rest})
+      std::fill(queue->index.begin(), queue->index.end(), other);
   }
 };
 

@@ -87,12 +87,12 @@ class Poison {
     each(n_x, n_y, h, excess, state);
   }
   void spoil(HalfPlaneQueue& queue) const {
-    auto& [count, index, d, v_x, v_y, radius, reach, e_x, e_y, side] = queue;
-    each(count, index, d, v_x, v_y, radius, reach, e_x, e_y, side);
+    auto& [count, index] = queue;
+    each(count, index);
   }
   void spoil(HalfPlaneWorkspace& workspace) const {
-    auto& [convex, horn, rest_count, rest, cases] = workspace;
-    each(convex, horn, rest_count, rest);
+    auto& [convex, horn, rest, cases] = workspace;
+    each(convex, horn, rest);
     auto& [contact, tip, convexes, horns, follow, others] = cases;
     each(contact, tip, convexes, horns, follow, others);
   }

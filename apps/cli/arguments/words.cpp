@@ -38,15 +38,14 @@ void check_options(const CLI::App& app, const std::vector<std::string>& words) {
 
 const CLI::App& verb_of(const CLI::App& app, const std::string& word) {
   std::vector<std::string> verbs;
-  std::string list;
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (verb->get_name() == word) return *verb;
     if (verb->get_group().empty()) continue;
     verbs.push_back(verb->get_name());
-    list += (list.empty() ? "" : ", ") + verb->get_name();
   }
-  throw UsageError(avo_io::printable(word, kLongestWord) + ": found no such verb, verbs are " +
-                   list + did_you_mean(word, verbs));
+  const std::vector<std::string_view> words(verbs.begin(), verbs.end());
+  throw UsageError(avo_io::printable(word, kLongestWord) + ": found no such verb, " +
+                   avo_io::allowed_words(word, words, "verbs are"));
 }
 
 std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <iterator>
 #include <map>
 
@@ -80,10 +79,8 @@ void require_one_of(const std::string& option, const std::string& word,
                     const std::vector<std::string>& words) {
   if (std::find(words.begin(), words.end(), word) != words.end()) return;
   const std::vector<std::string_view> views(words.begin(), words.end());
-  const auto meant = avo_io::nearest(word, views);
-  throw UsageError(fmt::format("{}: found {}, must be one of {}{}", option,
-                               avo_io::printable(word, kLongestWord), fmt::join(words, ", "),
-                               meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+  throw UsageError(fmt::format("{}: found {}, {}", option, avo_io::printable(word, kLongestWord),
+                               avo_io::allowed_words(word, views)));
 }
 
 }  // namespace

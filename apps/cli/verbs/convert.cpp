@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,10 +49,8 @@ ExportFormat format_called(const std::string& word) {
     words.push_back(name);
   }
   words.emplace_back(kSetPoints);
-  const auto meant = avo_io::nearest(word, words);
-  throw UsageError(fmt::format("--to: found {}, must be one of {}{}",
-                               avo_io::printable(word, kLongestWord), fmt::join(words, ", "),
-                               meant ? fmt::format("; did you mean {}?", *meant) : ""));
+  throw UsageError(fmt::format("--to: found {}, {}", avo_io::printable(word, kLongestWord),
+                               avo_io::allowed_words(word, words)));
 }
 
 ExportFormat format_of(const ConvertArguments& arguments) {

@@ -333,47 +333,51 @@ class Detour:
     def __init__(self) -> None: ...
 
 class RobotSetup:
+    model: _Model
+    heading: _Number
+    # scripts/fields: attributes of RobotSetup
     position: _Point
-    goal: _Point
     velocity: _Point
+    goal: _Point
     radius: _Number
     max_speed: _Number
     max_acceleration: _Number
     preferred_speed: _Number
-    model: _Model
-    heading: _Number
     priority: _Number
+    max_braking: _NumberOrNone
     parked: bool
     layers: _Layers
     avoids: _Layers
-    time_step: _NumberOrNone
-    max_braking: _NumberOrNone
     behavior: _RobotBehavior
+    time_step: _NumberOrNone
     method: _Method | None
     time_horizon: _NumberOrNone
     arrival_distance: _NumberOrNone
+    # scripts/fields end
     def __init__(
         self,
         *,
+        model: _Model = ...,
+        heading: _Float = 0.0,
+        # scripts/fields: arguments of RobotSetup
         position: _Pair,
-        goal: _Pair,
         velocity: _Pair = (0.0, 0.0),
+        goal: _Pair,
         radius: _Float = 0.5,
         max_speed: _Float = 2.0,
         max_acceleration: _Float = 1.0,
         preferred_speed: _Float | None = None,
-        model: _Model = ...,
-        heading: _Float = 0.0,
         priority: _Float = 1.0,
+        max_braking: _Float | None = None,
         parked: bool = False,
         layers: Sequence[int] = ...,
         avoids: Sequence[int] = ...,
-        time_step: _Float | None = None,
-        max_braking: _Float | None = None,
         behavior: _RobotBehavior = "decides",
+        time_step: _Float | None = None,
         method: _Method | None = None,
         time_horizon: _Float | None = None,
         arrival_distance: _Float | None = None,
+        # scripts/fields end
     ) -> None: ...
 
 @final
@@ -787,6 +791,8 @@ class Perception:
     @property
     def walls(self) -> list[Wall]: ...
     @property
+    def wall_source(self) -> list[int]: ...
+    @property
     def stop(self) -> Plan | None: ...
 
 @final
@@ -845,22 +851,26 @@ class Simulation:
         self,
         id: _Int,
         *,
+        # scripts/fields: changes of RobotSetup
         radius: _Float = ...,
         max_speed: _Float = ...,
         max_acceleration: _Float = ...,
         preferred_speed: _Float = ...,
         priority: _Float = ...,
+        max_braking: _Float | None = ...,
+        parked: bool = ...,
         layers: Sequence[int] = ...,
         avoids: Sequence[int] = ...,
-        parked: bool = ...,
-        max_braking: _Float | None = ...,
         behavior: _RobotBehavior = ...,
         method: _Method | None = ...,
         time_horizon: _Float | None = ...,
         arrival_distance: _Float | None = ...,
+        # scripts/fields end
     ) -> None: ...
     def set_preferred_velocity(self, id: _Int, velocity: _Pair | None) -> None: ...
     def preferred_velocity(self, id: _Int) -> tuple[float, float] | None: ...
+    def set_velocity(self, id: _Int, velocity: _Pair | None) -> None: ...
+    def host_velocity(self, id: _Int) -> tuple[float, float] | None: ...
     def set_goals(self, ids: Sequence[int], goals: npt.ArrayLike) -> None: ...
     def set_preferred_velocities(self, ids: Sequence[int], velocities: npt.ArrayLike) -> None: ...
     def add_robots(self, setups: Sequence[RobotSetup]) -> list[int]: ...

@@ -94,6 +94,15 @@ void bind_edits(SimulationClass& simulation) {
           arg("id"), arg("velocity"),
           "velocity: (x, y), m/s, in place of a route to its goal; None: to its goal again.")
       .def(
+          "set_velocity",
+          [](SharedSimulation& self, std::int64_t id, std::optional<avo::Vec2> velocity) {
+            self.alone([&](Simulation& s) { s.set_velocity(robot_id(id), velocity); });
+          },
+          arg("id"), arg("velocity"),
+          "velocity: (x, y), m/s, after each step, whatever is in its way: it decides nothing, and "
+          "others keep clear of it alone. None: it brakes, and then decides again. Raises Error as "
+          "change_robot() does, and above max_speed.")
+      .def(
           "set_goals",
           [](SharedSimulation& self, const std::vector<std::int64_t>& ids,
              const py::object& goals) {

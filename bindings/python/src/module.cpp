@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // avo._avo: the library for Python.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <utility>
 
 #include "avo/version.h"
@@ -18,10 +17,8 @@ void refuse_word(const char* name, const std::string& found,
     if (gone.key == name && gone.value == found)
       throw avo::Error(
           fmt::format("{}: found \"{}\", must be {}", name, found, allowed_instead(gone)));
-  const auto meant = avo_io::nearest(found, words);
-  throw avo::Error(fmt::format("{}: found \"{}\", must be one of {}{}", name,
-                               avo_io::printable(found, kLongest), fmt::join(words, ", "),
-                               meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+  throw avo::Error(fmt::format("{}: found \"{}\", {}", name, avo_io::printable(found, kLongest),
+                               avo_io::allowed_words(found, words)));
 }
 
 py::object from_json(const std::string& text) {

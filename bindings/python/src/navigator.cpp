@@ -59,7 +59,7 @@ void bind_decision(py::module_& module) {
       .def_property_readonly(
           "waits_for",
           [](const NavigatorDecision& self) {
-            return self.wait ? std::optional(self.wait->robot.value) : std::nullopt;
+            return self.wait ? std::optional(self.wait->neighbor) : std::nullopt;
           },
           "position in the list of the neighbor for which it waits at a passage, or None")
       .def_readonly("command", &NavigatorDecision::command,

@@ -17,10 +17,8 @@ constexpr std::string_view kSetup = "RobotSetup";
   std::vector<std::string_view> known{"model", "heading"};
   for_each_field(avo_io::robot_fields(),
                  [&](const auto& field, auto) { known.push_back(field.key); });
-  const auto meant = avo_io::nearest(key, known);
-  throw py::type_error(fmt::format("RobotSetup: found \"{}\", must be one of {}{}", key,
-                                   fmt::join(known, ", "),
-                                   meant ? fmt::format("; did you mean \"{}\"?", *meant) : ""));
+  throw py::type_error(
+      fmt::format("RobotSetup: found \"{}\", {}", key, avo_io::allowed_words(key, known)));
 }
 
 void set(Setup& setup, const std::string& key, const py::handle& given) {

@@ -27,6 +27,7 @@ class SharedSimulation : public Shared<avo::Simulation> {
 using SimulationClass = py::class_<SharedSimulation>;
 void bind_columns(SimulationClass& simulation);
 void bind_edits(SimulationClass& simulation);
+void bind_perception(py::module_& module, SimulationClass& simulation);
 void bind_queries(SimulationClass& simulation);
 void bind_team_edits(SimulationClass& simulation);
 

@@ -50,7 +50,7 @@ struct DecisionTrace {
   Vec3 target = {};  ///< [v'] m/s: what the program chose, Eq. (23)
   /// Those that can cut into what the robot may choose. All others change nothing.
   std::vector<CausedHalfSpace> half_spaces;
-  /// The half-spaces on whose boundaries the target lies, without repetition. Where it cannot keep
+  /// The half-spaces with the target on their boundaries, without repetition. Where it cannot keep
   /// to all, those that it misses by the most. Empty where the target is the aim.
   std::vector<Cause> binding;
   Vec3 proposal = {};  ///< m/s: the velocity after one step towards the target

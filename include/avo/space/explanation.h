@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "avo/export.h"
 #include "avo/space/decision_trace.h"
 #include "avo/space/simulation.h"
 
@@ -22,5 +23,9 @@ struct Explanation {
   /// it. Robots, static obstacles and moving obstacles are named by the values of their ids.
   std::string sentence = {};
 };
+
+/// The name in sentences of what limits the decision: "robot 7", "obstacle 2", "moving obstacle 1",
+/// or "its own limits".
+AVO_API std::string name_of(const Explanation& explanation, Cause cause);
 
 }  // namespace avo::space

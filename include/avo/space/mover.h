@@ -34,7 +34,7 @@ struct TimedPoint {
 /// A moving obstacle as a scene lists it.
 struct MovingObstacle {
   Vec3 position = {};                    ///< m, at 0 s, or when it comes while a run goes on
-  Vec3 velocity = {};                    ///< m/s, likewise
+  Vec3 velocity = {};                    ///< m/s, as in MovingObstacle
   Vec3 acceleration = {};                ///< m/s^2, constant
   double radius = 0.5;                   ///< m, > 0
   double max_deviation = 0.0;            ///< m/s^2, >= 0, that robots allow for

@@ -24,9 +24,11 @@ struct Plan {
   /// safe: while all robots brake, A touches no robot that decides and no box, and plan() names no
   /// contact. unknown: otherwise, and without a certificate
   SafetyState state = SafetyState::unknown;
-  int neighbor = -1;       ///< if overlapping: the deepest neighbor's place in the list; -1: none
-  int box = -1;            ///< or the box's place in the list; -1: none
-  int mover = -1;          ///< or the moving obstacle's place in the list, also at rest; -1: none
+  /// If overlapping, index of the deepest neighbor, in the neighbors given. -1: none. In a
+  /// simulation it is -1, because no list is given: see Simulation::touched().
+  int neighbor = -1;
+  int box = -1;            ///< or index of the box, in the boxes given; -1: none
+  int mover = -1;          ///< or index of the moving obstacle, also at rest; -1: none
   float depth = 0.0F;      ///< m: the overlap, if overlapping
   double violation = 0.0;  ///< m/s: the distance of v' from CA_A; 0 if optimal
   bool evading = false;    ///< an evasive maneuver has replaced the robot's own choice

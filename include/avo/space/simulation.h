@@ -44,9 +44,17 @@ class AVO_API Simulation {
   /// The states of all robots, in the order of the scene: robot k has the id k. Valid until the
   /// next step.
   [[nodiscard]] std::span<const Robot> robots() const;
-  /// The last decisions; those before the first step are empty. `neighbor` and `mover` are the
-  /// values of ids, and `box` a place in the scene's boxes.
+  /// The last decisions, in that order; those before the first step are empty. Their `neighbor`,
+  /// `box` and `mover` are -1, because no lists are given: see touched().
   [[nodiscard]] std::span<const Plan> plans() const;
+  /// What a robot touches, or will touch although it brakes: one of the three is set.
+  struct Touched {
+    std::optional<RobotId> robot = {};
+    std::optional<ObstacleId> obstacle = {};
+    std::optional<MovingObstacleId> moving_obstacle = {};
+  };
+  /// Set where the robot's last decision is `overlapping`; Plan::depth says how deep.
+  [[nodiscard]] std::optional<Touched> touched(RobotId robot) const;
   /// The moving obstacles as they are now, exactly, by ascending id; valid until the next step or
   /// edit.
   [[nodiscard]] std::span<const Mover> movers() const;
@@ -105,11 +113,11 @@ class AVO_API Simulation {
   /// Gives the robot another goal, m; the same goal again changes nothing. Throws Error for a robot
   /// that does not exist, and for a goal that is not finite.
   void set_goal(RobotId robot, Vec3 goal);
-  /// A moving obstacle comes: a helicopter, a ball, or a player whom the host moves. With a
+  /// A moving obstacle comes: a helicopter, a ball, or a player that the host moves. With a
   /// trajectory it is where the trajectory says at the present time. Throws Error on bad values.
-  /// Under a certificate it also throws Error on one that touches some robot, or before which some
-  /// robot cannot brake, and on one that has to be seen from beyond the scene's sensing_radius.
-  /// Changes nothing where it throws.
+  /// Under a certificate the obstacle may touch no robot, and all robots can brake before it. It
+  /// has to be sensed from within the scene's sensing_radius. Throws Error otherwise, and changes
+  /// nothing where it throws.
   MovingObstacleId add_moving_obstacle(const MovingObstacle& obstacle);
   /// Changes the moving obstacle: its place, velocity, radius, limits and trajectory are those of
   /// `obstacle` from now on. Robots count on no more than max_deviation and max_speed say. What the

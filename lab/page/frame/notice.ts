@@ -2,7 +2,6 @@
 // A notice over the map about a refused action and its reason. Faults of the text are also marked there.
 import { element } from "./elements.ts";
 import type { Lab } from "../run/lab.ts";
-import { nearestFirst } from "../text/error_words.ts";
 
 export function mountNotice(lab: Lab, root: HTMLElement): void {
   const text = element("p", {});
@@ -10,6 +9,6 @@ export function mountNotice(lab: Lab, root: HTMLElement): void {
   root.replaceChildren(text, close);
   lab.on("error", () => {
     root.hidden = lab.error === null;
-    text.textContent = nearestFirst(lab.error?.message ?? "");
+    text.textContent = lab.error?.message ?? "";
   });
 }

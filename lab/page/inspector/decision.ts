@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One decision of a robot and all its inputs, as `avo explain --json` gives them (docs/scenes.md), in SI units.
+// One decision of a robot and all its inputs, as `avo explain --json` gives them (docs/command_line.md), in SI units.
 
 /** x, y */
 export type Vec = readonly [number, number];
@@ -36,6 +36,15 @@ export interface Sensed {
   loiter?: Disc;
   max_deviation?: number;
   max_speed?: number | null;
+}
+
+/** A part of a static obstacle, or the disc of a parked robot: it has the id of one of the two. */
+export interface SensedWall {
+  a: Vec;
+  b: Vec;
+  radius: number;
+  obstacle?: number;
+  robot?: number;
 }
 
 /** The neighbor that a robot evades, the velocity that its evasion approaches (0: it brakes), and the time at which the
@@ -77,12 +86,12 @@ export interface Decision {
   neighbors: Sensed[];
   rule: "half_planes" | "union_of_obstacles";
   half_planes: ({ neighbor: Source } & HalfPlane)[];
-  walls: { a: Vec; b: Vec; radius: number }[];
+  walls: SensedWall[];
   wall_half_planes: ({ wall: number; kind: "speed" | "obstacle" } & HalfPlane)[];
   certificate_kind?: string;
   certificate?: { neighbor: Source; interval: number; normal: Vec; offset: number }[];
   wall_certificate?: { wall: number; held: number; distance: number; normal: Vec }[];
-  detour?: number;              // rad, to the right
+  detour_angle?: number;        // rad, to the right
   response_time?: number;       // s, with which the robot approaches v'; 0: at once
   loiter?: Disc;
   risk?: number;
@@ -118,16 +127,20 @@ const KINDS: Record<string, string> = {
   robots: "robot", moving_obstacles: "moving obstacle", walls: "wall", obstacles: "obstacle",
 };
 
-/** Returns the name for people: "robot 3". */
-export function labelOf(name: string): string {
+/** Returns the name for people: "robot 3". The name of a wall is that of its obstacle or parked robot; `walls` has it. */
+export function labelOf(name: string, walls: readonly Pick<SensedWall, "obstacle" | "robot">[] = []): string {
   const [kind, number] = name.split(".");
+  if (kind === "walls") {
+    const { obstacle, robot } = walls[Number(number)] ?? {};
+    return robot !== undefined ? `robot ${robot}` : obstacle !== undefined ? `obstacle ${obstacle}` : "a wall";
+  }
   return `${KINDS[kind!] ?? kind} ${number}`;
 }
 
-/** Returns a short name beside a line: "3", "o0" for a moving obstacle, "w4" for a wall, as in the figures. */
+/** Returns a short name beside a line: "3", "o0" for a moving obstacle, as in the figures. */
 export function shortLabelOf(name: string): string {
   const [kind, number] = name.split(".");
-  return `${kind === "robots" ? "" : kind === "walls" ? "w" : "o"}${number}`;
+  return `${kind === "robots" ? "" : "o"}${number}`;
 }
 
 export const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1];
@@ -146,21 +159,17 @@ export function clearanceOf(decision: Decision, other: Sensed): number {
   return norm(minus(decision.position, other.position)) - decision.radius - other.radius;
 }
 
-/** Methods that choose v' outside the union of obstacles, and not within half-planes. */
-export function avoidsUnion(decision: Pick<Decision, "rule">, method: string): boolean {
-  return decision.rule === "union_of_obstacles" || method === "velocity_obstacle" ||
-    method === "reciprocal_velocity_obstacle";
-}
-
 export function isCertified({ certificate_kind }: Decision): boolean {
   return certificate_kind !== undefined && certificate_kind !== "none";
 }
 
-/** Returns the number of the decision's wall among the scene's walls; -1 if the scene has no such wall. */
-export function sceneWall(decision: Decision, index: number, walls: readonly { a: Vec; b: Vec; radius: number }[]): number {
-  const wall = decision.walls[index];
-  if (!wall) return -1;
+/** Returns the name in the Lab of the decision's wall: "walls.4" of the scene, or "robots.3" for a parked robot. It is
+ * "obstacles.2" where no wall of the scene is just there, e.g. for a robot that does not know its own place exactly. */
+export function wallName(decision: Decision, index: number, walls: readonly { a: Vec; b: Vec; radius: number }[]): string {
+  const wall = decision.walls[index]!;
+  if (wall.robot !== undefined) return `robots.${wall.robot}`;
   const same = (p: Vec, q: Vec): boolean => p[0] === q[0] && p[1] === q[1];
-  return walls.findIndex((other) => other.radius === wall.radius &&
+  const found = walls.findIndex((other) => other.radius === wall.radius &&
     ((same(other.a, wall.a) && same(other.b, wall.b)) || (same(other.a, wall.b) && same(other.b, wall.a))));
+  return found < 0 ? `obstacles.${wall.obstacle}` : `walls.${found}`;
 }

@@ -51,7 +51,7 @@ function verdictRows(decision: Decision): Row[] {
     const constraints = decision.certificate ?? [];
     const whose = new Set(constraints.map((constraint) => constraint.neighbor)).size;
     rows.push(
-      { name: "detour", label: "detour", value: `${digits((decision.detour ?? 0) * 180 / Math.PI, 1)}° to the right`, exact: decision.detour },
+      { name: "detour_angle", label: "detour", value: `${digits((decision.detour_angle ?? 0) * 180 / Math.PI, 1)}° to the right`, exact: decision.detour_angle },
       { name: "response_time", label: "response time", value: decision.response_time ? `${digits(decision.response_time)} s` : "0: at once", exact: decision.response_time, title: "time constant with which it approaches v′" },
       { name: "certificate", label: "certificate", value: `${decision.certificate_kind.replaceAll("_", " ")}: ${constraints.length} constraints of ${whose} neighbors`, exact: constraints.length });
   }
@@ -62,7 +62,7 @@ function verdictRows(decision: Decision): Row[] {
 
 function contactRows(decision: Decision): Row[] {
   if (decision.contact_with === null || decision.contact_depth === null) return [];
-  const whom = labelOf(nameOf(decision.contact_with));
+  const whom = labelOf(nameOf(decision.contact_with), decision.walls);
   return [{ name: "contact", label: "contact", value: `${whom}, ${decision.contact_depth.toPrecision(3)} m deep`, exact: decision.contact_depth, title: "whom it touches, or comes to touch in spite of braking, and how deep" }];
 }
 
@@ -81,7 +81,7 @@ function waitRows(decision: Decision): Row[] {
 
 function stateText(decision: Decision): string {
   if (decision.state !== "doomed") return decision.state;
-  const whom = decision.doomed_by === null ? "" : ` by ${labelOf(nameOf(decision.doomed_by))}`;
+  const whom = decision.doomed_by === null ? "" : ` by ${labelOf(nameOf(decision.doomed_by), decision.walls)}`;
   if (decision.contact_within === 0) return `doomed${whom}: in contact`;
   return `doomed${whom} within ${digits(decision.contact_within ?? 0)} s`;
 }

@@ -4,7 +4,7 @@ import type { SceneInfo, Simulation } from "../../avo/avo.ts";
 import type { Lab } from "../run/lab.ts";
 import type { Decision } from "./decision.ts";
 import { neighborTable, numbersTable } from "./decision_tables.ts";
-import { isCertified, parseDecision, sceneWall } from "./decision.ts";
+import { isCertified, parseDecision } from "./decision.ts";
 import type { SpaceSource } from "./space_canvas.ts";
 import type { Box } from "./velocity_view.ts";
 import type { Law, Why } from "./why.ts";
@@ -36,11 +36,9 @@ export function explained(simulation: Simulation, info: SceneInfo, robot: number
   const decision = parseDecision(text);
   const law = lawOf(info);
   const found = why(decision, law, info);
-  const sceneName = (of: string): string =>
-    of.startsWith("walls.") ? `walls.${sceneWall(decision, Number(of.slice(6)), info.walls)}` : of;
   const source: SpaceSource = {
     space: { decision, law, why: found },
-    outlines: (box: Box) => simulation.outlines(robot, box).map(({ of, rings }) => ({ of: sceneName(of), rings })),
+    outlines: (box: Box) => simulation.outlines(robot, box),
     admitted(box: Box) {
       if (!isCertified(decision)) return null;
       const columns = quick ? COARSE : FINE;

@@ -55,7 +55,7 @@ function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, nei
   const cuts: Cut[] = decision.half_spaces.flatMap((half) => {
     const cut = cutHalfSpace(plane, half);
     return cut && forbids(cut) ? [{
-      ...cut, of: nameOf(half.neighbor), forbids: true,
+      ...cut, of: nameOf(half.neighbor), label: labelOf(nameOf(half.neighbor)), short: shortLabelOf(nameOf(half.neighbor)), forbids: true,
       binds: decision.trace.binding.includes(half.neighbor),
       refuses: Math.max(half.offset - dot3(half.normal, preferred_velocity), 0),
     }] : [];

@@ -171,5 +171,5 @@ function readoutOf(space: VelocitySpace, view: View, at: [number, number], highl
   const where = `(${digits(v[0])}, ${digits(v[1])}) m/s${heading}`;
   if (!cut) return highlighted ? `${where} · ${labelOf(highlighted)}: its obstacle` : where;
   const miss = violation(cut, v);
-  return `${where} · ${labelOf(cut.of)}: ${miss > 0 ? `refused by ${digits(miss)} m/s` : `${digits(-miss)} m/s to spare`}`;
+  return `${where} · ${cut.label}: ${miss > 0 ? `refused by ${digits(miss)} m/s` : `${digits(-miss)} m/s to spare`}`;
 }

@@ -40,10 +40,10 @@ export interface SpaceDecision {
   max_acceleration: number;
   priority: number;
   neighbors: SensedInSpace[];
-  boxes: number[];
+  obstacles: number[];          // static ones, in range
   half_spaces: ({ neighbor: Source } & HalfSpace)[];
   obstacle_half_spaces: ({ obstacle: string } & HalfSpace)[];
-  detour: number;               // rad, to the right
+  detour_angle: number;         // rad, to the right
   preferred_velocity: Vec3;
   new_velocity: Vec3;
   next_velocity: Vec3;

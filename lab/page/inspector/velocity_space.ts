@@ -2,7 +2,7 @@
 // The velocity space of one decision on a canvas: bright velocities are allowed, dark ones are forbidden (the paper's
 // Figs. 4 to 6).
 import type { Decision, Disc, Vec } from "./decision.ts";
-import { along, avoidsUnion, norm, shortLabelOf, violation } from "./decision.ts";
+import { along, norm, violation } from "./decision.ts";
 import { Labels } from "./labels.ts";
 import type { Palette } from "./palette.ts";
 import { Pen, arrow, dotAt, forbiddenSide, lineEnd } from "./pen.ts";
@@ -44,10 +44,10 @@ function isApart({ decision, why }: VelocitySpace, view: View): boolean {
 }
 
 function drawRegions(pen: Pen, space: VelocitySpace): void {
-  const { decision, law, why, outlines } = space;
+  const { decision, why, outlines } = space;
   const { palette, view } = pen;
   const discs = [decision.acceleration_disc, decision.speed_disc];
-  const union = avoidsUnion(decision, law.method);
+  const union = decision.rule === "union_of_obstacles";
   const page = (): void => pen.context.rect(0, 0, view.width, view.height);
   const rings = (): void => outlines.forEach((outline) => outline.rings.forEach((ring) => pen.polygon(ring)));
   pen.fill(palette.beyond, page);
@@ -90,7 +90,7 @@ function drawAdmitted(pen: Pen, admitted: Admitted): void {
 }
 
 function drawOutlines(pen: Pen, space: VelocitySpace, highlighted: string | null): void {
-  const union = avoidsUnion(space.decision, space.law.method);
+  const union = space.decision.rule === "union_of_obstacles";
   for (const outline of space.outlines) {
     const isHit = outline.of === highlighted;
     const path = (): void => outline.rings.forEach((ring) => pen.polygon(ring));
@@ -146,7 +146,7 @@ function drawLabels(pen: Pen, space: VelocitySpace, highlighted: string | null):
     const isHit = cut.of === highlighted;
     const [x, y] = toScreen(view, along(end, cut.normal, -9 / view.scale));  // beside its line, on the forbidden side
     labels.place(x, y, {
-      formula: shortLabelOf(cut.of), size: cut.binds || isHit ? LABEL + 2 : LABEL, halo: palette.halo, distance: 0,
+      formula: cut.short, size: cut.binds || isHit ? LABEL + 2 : LABEL, halo: palette.halo, distance: 0,
       color: isHit ? palette.highlight : cut.binds ? palette.ink : palette.soft, optional: !cut.binds && !isHit,
     });
   }

@@ -2,12 +2,14 @@
 // The half-planes of a decision as the inspector draws them, and the choice that rests on them. The decision's own trace
 // tells which of them bind.
 import type { SceneInfo } from "../../avo/avo.ts";
-import type { Decision, HalfPlane, Vec } from "./decision.ts";
-import { avoidsUnion, labelOf, nameOf, sceneWall, violation } from "./decision.ts";
+import type { Decision, HalfPlane, SensedWall, Vec } from "./decision.ts";
+import { labelOf, nameOf, shortLabelOf, violation, wallName } from "./decision.ts";
 
 /** A half-plane of the decision, and its effect on the choice. */
 export interface Cut extends HalfPlane {
-  of: string;        // "robots.7", "walls.4" of the scene
+  of: string;        // "robots.7", "walls.4" of the scene, "obstacles.2"
+  label: string;     // "obstacle 2" for a wall of it
+  short: string;     // "w2"
   forbids: boolean;  // false: it is drawn as an explanation, and does not affect the choice
   binds: boolean;    // the target lies on its line
   refuses: number;   // m/s, by how much v^pref violates it; 0 if it does not
@@ -31,18 +33,21 @@ export function lawOf(info: SceneInfo): Law {
 }
 
 export function why(decision: Decision, law: Law, info: Pick<SceneInfo, "walls">): Why {
-  const union = avoidsUnion(decision, law.method);
+  const union = decision.rule === "union_of_obstacles";
   const wish = decision.preferred_velocity;
   const binding = union ? [] : decision.trace.binding.map((source) => (source === null ? "" : nameOf(source)));
-  const cut = (name: string, of: string, { normal, offset }: HalfPlane, forbids: boolean): Cut => ({
-    of, normal, offset, forbids,
+  const cut = (name: string, { normal, offset }: HalfPlane, forbids: boolean): Cut => ({
+    of: name, label: labelOf(name), short: shortLabelOf(name), normal, offset, forbids,
     binds: forbids && binding.includes(name),
     refuses: forbids ? Math.max(violation({ normal, offset }, wish), 0) : 0,
   });
+  const cutOfWall = (name: string, of: string, { obstacle, robot }: SensedWall, half: HalfPlane, forbids: boolean): Cut => ({
+    ...cut(name, half, forbids), of, label: labelOf(name, decision.walls), short: `w${obstacle ?? robot}`,
+  });
   const cuts = [
-    ...decision.half_planes.map((plane) => cut(nameOf(plane.neighbor), nameOf(plane.neighbor), plane, true)),
-    ...decision.wall_half_planes.map((plane) => cut(`walls.${plane.wall}`, `walls.${sceneWall(decision, plane.wall, info.walls)}`, plane,
-      plane.kind === "speed" ? !union : law.method !== "avo")),
+    ...decision.half_planes.map((plane) => cut(nameOf(plane.neighbor), plane, true)),
+    ...decision.wall_half_planes.map((plane) => cutOfWall(`walls.${plane.wall}`, wallName(decision, plane.wall, info.walls),
+      decision.walls[plane.wall]!, plane, plane.kind === "speed" ? !union : law.method !== "avo")),
   ];
   return { cuts, next: decision.next_velocity };
 }

@@ -4,7 +4,6 @@ import { AvoError } from "../../avo/avo.ts";
 import { element } from "../frame/elements.ts";
 import type { SceneDraft } from "../run/lab.ts";
 import type { PageLab } from "../run/make_lab.ts";
-import { nearestFirst } from "./error_words.ts";
 
 const PAUSE = 350;       // ms without a key, then the text is checked
 const LINE = 18, COLUMN = 7.2;  // pixels
@@ -117,7 +116,7 @@ export function mountEditor(lab: PageLab, root: HTMLElement): void {
   const mark = (error: AvoError | null) => {
     markLine(field, error);
     field.says.classList.toggle("bad", error !== null);
-    field.says.textContent = error ? nearestFirst(error.message) : changed() ? unapplied(draft?.name === name ? null : draft) : "";
+    field.says.textContent = error ? error.message : changed() ? unapplied(draft?.name === name ? null : draft) : "";
     root.classList.toggle("changed", changed());
   };
   const check = () => mark(changed() ? refusalOf(lab, text.value, target()) : null);

@@ -12,6 +12,7 @@
 #include "core/hash.h"
 #include "robots/ahead.h"
 #include "robots/execution_bounds.h"
+#include "sim/scene/scene_checks.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
@@ -38,7 +39,7 @@ double approached_in(double time, double lag) {
   return lag > 0.0 ? -elementary::expm1(-time / lag) : 1.0;
 }
 
-// Of a drive: parts of each cycle of its wheels' controller, in which it turns evenly.
+// For a drive: parts of each cycle of its wheels' controller, in which it turns evenly.
 constexpr int kSubsteps = 4;
 
 // The controller begins a cycle when a command begins to act, and when a step ends.
@@ -116,8 +117,25 @@ void Bases::put_down(std::size_t rank, Vec2 position) {
   std::fill_n(sent.begin() + static_cast<std::ptrdiff_t>(rank * depth), depth, Vec2{});
 }
 
+SensingError body_error(const Scenario& scenario) {
+  SensingError most;
+  if (!scenario.execution || scenario.sensing.is_exact()) return most;
+  const Bases bases(scenario);
+  for (const RobotSetup& robot : scenario.robots) {
+    if (robot.parked) continue;
+    most.position = std::max(most.position, bases.added_radius(robot));
+    most.velocity =
+        std::max(most.velocity,
+                 bounds_of(*bases.model, robot.model, limits_of(robot), bases.time_step).velocity);
+  }
+  return most;
+}
+
 Scenario with_references(const Scenario& scenario) {
   Scenario result = scenario;
+  if (!scenario.sensing_error && body_error(scenario) != SensingError{} &&
+      certified_options(scenario).certificate != Certificate::none)
+    result.sensing_error = declared_error(scenario);
   const Bases bases(scenario);
   for (RobotSetup& robot : result.robots) robot = bases.reference_of(robot);
   result.execution.reset(), result.execution_error.reset();

@@ -28,7 +28,7 @@ struct Base {
   // A command acts whole_steps and `rest` (s, less than a step) after it is given.
   std::size_t whole_steps = 0;
   double rest = 0.0;
-  // 1 - e^(-t/T') of both parts of a step: until a command begins to act, and from then on. Of a
+  // 1 - e^(-t/T') of both parts of a step: until a command begins to act, and from then on. For a
   // drive: of a substep in each of them.
   double before = 1.0, after = 1.0;
 
@@ -64,7 +64,12 @@ struct Bases {
   void put_down(std::size_t rank, Vec2 position);
 };
 
-/// The scene of the references: robots with larger radii, and bases that execute exactly.
+/// How wrong others are about the reference of a robot of the scene whose body they sense exactly.
+/// Zero where robots tell each other their references.
+SensingError body_error(const Scenario& scenario);
+
+/// The scene of the references: robots with larger radii, and bases that execute exactly. Where
+/// bodies are sensed, it declares how wrong that is.
 Scenario with_references(const Scenario& scenario);
 
 /// The bodies of its robots, which are numbered from 0 on.
@@ -75,7 +80,7 @@ void move_bases(World& world);
 
 /// Throws Error where the scene cannot have bases that do not execute exactly.
 void check_execution(const Scenario& scenario);
-/// Throws Error on a robot whose base cannot be such; `name` is that of the robot, as in
+/// Throws Error on a robot that cannot have such a base; `name` is that of the robot, as in
 /// "robots.3.". time_step: s.
 void check_base(const ExecutionModel& model, double time_step, const RobotSetup& robot,
                 const std::string& name);

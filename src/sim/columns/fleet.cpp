@@ -42,6 +42,7 @@ void Fleet::add(RobotId robot, const RobotSetup& setup, const OwnPace& own_pace)
   if (!flights.empty() || !can_rest(setup.model)) flights.resize(slot + 1);
   if (!pace.empty() || !(own_pace == OwnPace{})) pace.resize(slot + 1);
   if (!told.empty()) told.resize(slot + 1);
+  if (!host_motion.empty()) host_motion.resize(slot + 1);
   for_each_column([&](auto& column) { column.resize(slot + 1); });
   id[slot] = robot;
   rank[slot] = static_cast<int>(slot);
@@ -79,6 +80,7 @@ void Fleet::remove(std::size_t slot) {
   if (has_clocks) clock.erase(clock.begin() + rank[slot]);
   if (!pace.empty()) pace.erase(pace.begin() + rank[slot]);
   if (!told.empty()) told.erase(told.begin() + rank[slot]);
+  if (!host_motion.empty()) host_motion.erase(host_motion.begin() + rank[slot]);
   bases.remove(static_cast<std::size_t>(rank[slot]));
   const std::size_t last = size() - 1;  // it takes over the slot
   for (auto k = static_cast<std::size_t>(rank[slot]); k < slot_of.size(); ++k) --rank[slot_of[k]];

@@ -14,7 +14,7 @@
 #include "robots/model.h"
 #include "robots/motion.h"
 #include "sim/bases/bases.h"
-#include "sim/columns/obstacle_columns.h"
+#include "sim/columns/mover_columns.h"
 
 namespace avo::inline sim {
 
@@ -76,6 +76,14 @@ struct Flight {
   bool has_arrived = false;  // it has passed its goal
 };
 
+/// A robot that moves as the host tells it, and does not decide. Meanwhile it avoids nobody, so
+/// others keep clear of it as of a robot that does as it likes within its limits.
+struct HostMotion {
+  Vec2 velocity;         // m/s, after each step
+  LayerSet avoids = {};  // those that it avoids once it decides again
+  bool ends = false;     // it brakes, and decides again once it rests
+};
+
 /// Nanoseconds since the start of a run. Whole numbers decide exactly whether two robots decide at
 /// the same time.
 using Instant = std::int64_t;
@@ -132,6 +140,7 @@ struct Fleet {
   std::vector<Flight> flights;      // by rank; empty where no robot flies
   // m/s, preferred velocities that the host gave, by rank; empty where it gave none
   std::vector<std::optional<Vec2>> told;
+  std::vector<std::optional<HostMotion>> host_motion;  // by rank; empty where the host moved none
   // the bodies, where their bases do not execute exactly; the fleet is that of the references then
   Bases bases;
 
@@ -218,6 +227,19 @@ struct Fleet {
   std::optional<Vec2> told_velocity(std::size_t slot) const {
     return told.empty() ? std::nullopt : told[static_cast<std::size_t>(rank[slot])];
   }
+  /// None for a robot that decides.
+  const HostMotion* moved_by_host(std::size_t slot) const {
+    if (host_motion.empty()) return nullptr;
+    const auto& own = host_motion[static_cast<std::size_t>(rank[slot])];
+    return own ? &*own : nullptr;
+  }
+  bool decides(std::size_t slot) const {
+    return !conduct[slot].parked && moved_by_host(slot) == nullptr;
+  }
+  /// Returns whether the robot goes to its goal, and the host says no velocity.
+  bool heads_for_goal(std::size_t slot) const {
+    return moved_by_host(slot) == nullptr && !told_velocity(slot);
+  }
   /// The robot in the view of others with that expectation.
   Neighbor sensed(std::size_t slot, Expectation expected = Expectation::decides) const;
   /// Moves the robot in slot order[k] to slot k. If the executor fails during that, the fleet is
@@ -248,6 +270,6 @@ inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double pre
 }
 
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.
-std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps);
+std::uint64_t hash_of(const Fleet& fleet, const MoverColumns& movers, std::int64_t steps);
 
 }  // namespace avo::inline sim

@@ -14,8 +14,8 @@
 namespace avo::inline sim {
 
 /// What robots need of each other grows with radii and top speeds. So robots that two others exceed
-/// in both add nothing, if nothing else that counts differs: all of a setup but place, velocity,
-/// goal, arrival distance and preferred speed. Of airplanes top speeds must be equal.
+/// in both add nothing, if nothing else that counts differs. All of a setup counts but place,
+/// velocity, goal, arrival distance and preferred speed. Top speeds of airplanes must be equal.
 class Kinds {
  public:
   explicit Kinds(const Fleet& fleet);

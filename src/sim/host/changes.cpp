@@ -25,6 +25,19 @@ void check_same_kind(const RobotSetup& now, const RobotSetup& changed, RobotId r
            "left out, or the one that it has");
 }
 
+// Refuses what a robot cannot change while the host moves it.
+void check_host_motion(const HostMotion& motion, const RobotSetup& now, const RobotSetup& changed,
+                       RobotId robot) {
+  const std::string name = name_of(robot) + ": ";
+  const double speed = norm(motion.velocity);
+  if (changed.parked) refuse(name + "parked", "true while the host moves it", "false");
+  if (!(changed.avoids == now.avoids))
+    refuse(name + "avoids", "a change while the host moves it", "the same, nobody");
+  if (speed > changed.max_speed * (1.0 + kSpeedRounding))
+    refuse(name + "max_speed", text(changed.max_speed),
+           ">= " + text(speed) + " m/s, the velocity that the host gave");
+}
+
 // Returns whether all robots count on all others to decide: then no robot counts on the top speed
 // of another one.
 bool all_decide(const Fleet& fleet) {
@@ -96,10 +109,11 @@ void take_body(const World& world, std::size_t slot, const RobotSetup& now, Robo
   changed.radius += world.fleet.base(slot).added;
 }
 
-void check_change(World& world, const RobotSetup& now, const RobotSetup& changed, RobotId robot) {
+void check_change(World& world, const RobotSetup& now, const RobotSetup& changed, RobotId robot,
+                  bool may_start) {
   check_values(world, changed, robot, world.statics.has_walls);
   check_company(world, slowing(now, changed), robot);
-  if (!affects_certificate(world.fleet, now, changed)) return;
+  if (may_start || !affects_certificate(world.fleet, now, changed)) return;
   // within its own step a robot cannot brake before the step ends
   if (world.fleet.has_clocks && world.all_matter() && !world.settings.allow_broken_assumptions)
     refuse(name_of(robot), "a change that the certificate has to check, while clocks are free",
@@ -110,7 +124,7 @@ void check_change(World& world, const RobotSetup& now, const RobotSetup& changed
 
 }  // namespace
 
-void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
+void change_robot(World& world, RobotId robot, const RobotSetup& setup, bool may_start) {
   Fleet& fleet = world.fleet;
   const std::size_t slot = fleet.find(robot);
   catch_up(world);
@@ -123,12 +137,14 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup) {
   if (changed.method == fleet.usual.method) changed.method.reset();
   if (changed.max_braking == changed.max_acceleration) changed.max_braking.reset();
   check_same_kind(now, changed, robot);
+  if (const HostMotion* own = fleet.moved_by_host(slot))
+    check_host_motion(*own, now, changed, robot);
   if (changed.parked != now.parked) return park_or_free(world, slot, changed);
   if (now.parked)
     refuse(name_of(robot), "a change of it", "one that is not parked, or is set free");
   const std::uint32_t floor = floor_for(world, changed.layers);
   KindAlone kind(world, now);
-  check_change(world, now, changed, robot);
+  check_change(world, now, changed, robot, may_start);
   const double sensing_radius = sensing_radius_with(world, slowing(now, changed));
   const OwnPace pace = world.pace_of(changed, true);
   world.senses.reserve_one(

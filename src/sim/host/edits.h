@@ -22,7 +22,8 @@ void set_preferred_velocities(World& world, std::span<const RobotId> robots,
                               std::span<const Vec2> velocities);
 std::vector<RobotId> add_robots(World& world, std::span<const RobotSetup> setups);
 void remove_robots(World& world, std::span<const RobotId> robots);
-void change_robot(World& world, RobotId robot, const RobotSetup& setup);
+/// may_start: where it is now is not checked.
+void change_robot(World& world, RobotId robot, const RobotSetup& setup, bool may_start = false);
 /// Adds a robot to all data that have an entry for each one, except the routes. If the function
 /// throws, nothing has changed.
 void join(World& world, const RobotSetup& setup, RobotId robot);
@@ -33,6 +34,8 @@ void take_away_parked(World& world, std::size_t slot);
 /// Parks a robot at rest where it is, or sets a parked robot free there. changed: its setup then.
 void park_or_free(World& world, std::size_t slot, RobotSetup changed);
 void set_preferred_velocity(World& world, RobotId robot, std::optional<Vec2> velocity);
+/// Returns whether the robot has decided until now, and does not any more.
+bool set_velocity(World& world, RobotId robot, std::optional<Vec2> velocity);
 MovingObstacleId add_moving_obstacle(World& world, const MovingObstacle& obstacle);
 void change_moving_obstacle(World& world, MovingObstacleId id, const MovingObstacle& obstacle);
 void remove_moving_obstacle(World& world, MovingObstacleId id);

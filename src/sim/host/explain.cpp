@@ -12,9 +12,11 @@ namespace avo {
 
 Explanation Simulation::explain(RobotId robot) const {
   const RobotState present = this->robot(robot);
-  if (state_->fleet.conduct[state_->fleet.find(robot)].parked)
-    throw Error("robot " + std::to_string(present.id.value) +
-                ": found a parked one, must be one that decides");
+  const std::size_t slot = state_->fleet.find(robot);
+  if (!state_->fleet.decides(slot))
+    throw Error("robot " + std::to_string(present.id.value) + ": found " +
+                (state_->fleet.conduct[slot].parked ? "a parked one" : "one that the host moves") +
+                ", must be one that decides");
   const Planner& own = planner(robot);
   Explanation explanation{.robot = present.id,
                           .time = time(),

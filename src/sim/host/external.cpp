@@ -160,8 +160,9 @@ void find_external(World& world) {
   ExternalChoices& own = world.external;
   own.ranks.clear(), own.chosen.clear();
   for (std::size_t rank = 0; rank < world.fleet.size(); ++rank) {
-    const Conduct& conduct = world.fleet.conduct[world.fleet.slot_of[rank]];
-    if (is_external(conduct.method) && !conduct.parked) own.ranks.push_back(rank);
+    const std::uint32_t slot = world.fleet.slot_of[rank];
+    if (is_external(world.fleet.conduct[slot].method) && world.fleet.decides(slot))
+      own.ranks.push_back(rank);
   }
 }
 

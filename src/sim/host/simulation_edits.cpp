@@ -46,6 +46,10 @@ void Simulation::set_preferred_velocity(RobotId robot, std::optional<Vec2> veloc
   state_->forget_views_of(robot);
 }
 
+void Simulation::set_velocity(RobotId robot, std::optional<Vec2> velocity) {
+  if (avo::set_velocity(state_->to_change(), robot, velocity)) state_->forget_robots();
+}
+
 void Simulation::set_goals(std::span<const RobotId> robots, std::span<const Vec2> goals) {
   avo::set_goals(state_->to_change(), robots, goals);
   state_->forget_views();

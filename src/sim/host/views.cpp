@@ -109,13 +109,19 @@ bool Simulation::is_in_sight(Vec2 from, Vec2 to, double radius, LayerSet layers)
 }
 
 MovingObstacleView Simulation::moving_obstacles() const {
-  const ObstacleColumns& o = state_->obstacles;
+  const MoverColumns& o = state_->movers;
   return {o.position, o.velocity, o.setup, o.next_point, o.id};
 }
 
 std::optional<Vec2> Simulation::preferred_velocity(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
   return fleet.told_velocity(fleet.find(robot));
+}
+
+std::optional<Vec2> Simulation::host_velocity(RobotId robot) const {
+  const Fleet& fleet = state_->fleet;
+  const HostMotion* motion = fleet.moved_by_host(fleet.find(robot));
+  return motion != nullptr && !motion->ends ? std::optional(motion->velocity) : std::nullopt;
 }
 
 StaticObstacleView Simulation::obstacles() const {

@@ -16,17 +16,17 @@ void find_fast_starts(const Scenario& scenario, const CertificateLaw& law,
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     if (!keeps(scenario, scenario.robots[i], law)) continue;
     const double speed = norm(scenario.robots[i].velocity);
-    if (exceeds(speed, scenario.robots[i].max_speed)) fast.push_back({static_cast<int>(i), speed});
+    if (exceeds(speed, scenario.robots[i].max_speed)) fast.push_back({RobotId{i}, speed});
   }
   const auto excess = [&](const FastStart& start) {
-    return start.speed - scenario.robots[static_cast<std::size_t>(start.robot)].max_speed;
+    return start.speed - listed_as(start.robot, scenario.robots).max_speed;
   };
   result.fast_count = static_cast<std::int64_t>(fast.size());
   result.fast.resize(std::min(fast.size(), BrokenAssumptions::kNamed));
   std::partial_sort_copy(fast.begin(), fast.end(), result.fast.begin(), result.fast.end(),
                          [&](const FastStart& a, const FastStart& b) {
                            const double of_a = excess(a), of_b = excess(b);
-                           return of_a != of_b ? of_a > of_b : a.robot < b.robot;
+                           return of_a != of_b ? of_a > of_b : a.robot.value < b.robot.value;
                          });
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "avo/assumptions.h"
 #include "certificate/certificate.h"
@@ -10,6 +11,12 @@
 #include "robots/motion.h"
 
 namespace avo::inline sim {
+
+/// What a list of a scene has for that id. The lists of scenes are numbered by ids.
+template <typename Listed, typename Id>
+const Listed& listed_as(Id id, const std::vector<Listed>& list) {
+  return list[static_cast<std::size_t>(id.value)];
+}
 
 /// The constants that the scene's robots with a certificate share.
 CertificateLaw certificate_law(const Scenario& scenario);
@@ -47,10 +54,11 @@ void find_starts_of_first(const Scenario& scenario, const CertificateLaw& law, d
 void include_start(const Scenario& scenario, const RobotSetup& robot, const MotionState& state,
                    const CertificateLaw& law, WallNeeds& needs);
 /// The wall to which the robot is too near by most in that state, if it is too near to any.
-/// WallStart::obstacle is the wall's index. A robot in motion may move differently from a robot
-/// that starts: the disc of a drive moves off its heading.
-std::optional<WallStart> worst_wall(const Scenario& scenario, int robot, const MotionState& state,
-                                    std::span<const Wall> walls, const CertificateLaw& law);
+/// WallStart::obstacle is the position of the wall in `walls`. A robot in motion may move
+/// differently from a robot that starts: the disc of a drive moves off its heading.
+std::optional<WallStart> worst_wall(const Scenario& scenario, RobotId robot,
+                                    const MotionState& state, std::span<const Wall> walls,
+                                    const CertificateLaw& law);
 /// Returns whether the obstacle's Fill lets any robot be there.
 bool leaves_room(Vec2 p, const StaticObstacle& obstacle);
 /// The same for a robot that may not heed the obstacle.

@@ -120,6 +120,17 @@ BrakingPose start_pose(const RobotSetup& robot, const CertificateLaw& law) {
                       law.step);
 }
 
+BodyId body_of(int source) {
+  if (source >= 0) return RobotId{static_cast<std::uint64_t>(source)};
+  return MovingObstacleId{static_cast<std::uint64_t>(-1 - source)};
+}
+// Orders moving obstacles before robots.
+std::int64_t rank_of(BodyId body) {
+  const auto* robot = std::get_if<RobotId>(&body);
+  if (robot != nullptr) return static_cast<std::int64_t>(robot->value);
+  return -1 - static_cast<std::int64_t>(std::get<MovingObstacleId>(body).value);
+}
+
 void examine(const Starter& a, const Starter& b, Expectation expected, Starts& starts) {
   const auto& [scenario, law, longest_step, mixed, extra, starters, constraints, broken] = starts;
   const RobotSetup& own = scenario.robots[static_cast<std::size_t>(a.source)];
@@ -172,7 +183,8 @@ void examine(const Starter& a, const Starter& b, Expectation expected, Starts& s
   const double depth =
       std::max(contact - distance, std::min(contact, margin - starts.constraints.invariant.slack));
   if (depth > kStartTolerance * contact) {
-    starts.broken.push_back({a.source, b.source, distance, depth});
+    starts.broken.push_back(
+        {std::get<RobotId>(body_of(a.source)), body_of(b.source), distance, depth});
   }
 }
 
@@ -229,8 +241,8 @@ void take_starts(const std::vector<BrokenStart>& broken, BrokenAssumptions& resu
   std::partial_sort_copy(broken.begin(), broken.end(), result.starts.begin(), result.starts.end(),
                          [](const BrokenStart& a, const BrokenStart& b) {
                            if (a.depth != b.depth) return a.depth > b.depth;
-                           if (a.robot != b.robot) return a.robot < b.robot;
-                           return a.other < b.other;
+                           if (a.robot != b.robot) return a.robot.value < b.robot.value;
+                           return rank_of(a.other) < rank_of(b.other);
                          });
 }
 

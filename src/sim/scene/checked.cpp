@@ -72,7 +72,7 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
 
 namespace {
 
-// Where it is judged, a body may be faster than its reference, and no acceleration is promised. Of
+// Where it is judged, a body may be faster than its reference, and no acceleration is promised. For
 // a drive the disc about the point ahead of its axle is judged, which covers it at any heading.
 void judge_body(const Scenario& scenario, const RobotSetup& setup, CheckedRobot& robot) {
   const ExecutionModel& model = *scenario.execution;

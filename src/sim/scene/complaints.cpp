@@ -13,13 +13,19 @@
 
 #include "avo/error.h"
 #include "robots/footprint.h"
+#include "sim/scene/assumptions.h"
+#include "sim/scene/edit_checks.h"
 #include "sim/scene/scene_checks.h"
 
 namespace avo::inline sim {
 namespace {
 
-const RobotSetup& setup_of(const Scenario& scenario, int robot) {
-  return scenario.robots[static_cast<std::size_t>(robot)];
+const RobotSetup& setup_of(const Scenario& scenario, RobotId robot) {
+  return listed_as(robot, scenario.robots);
+}
+const RobotSetup* setup_of(const Scenario& scenario, BodyId body) {
+  const auto* robot = std::get_if<RobotId>(&body);
+  return robot != nullptr ? &setup_of(scenario, *robot) : nullptr;
 }
 
 // One unit of the sixth digit: a power of ten, as formatting and reading round it, correctly.
@@ -47,17 +53,18 @@ std::string further(std::int64_t count, std::size_t named, const std::string& wh
          " further " + what;
 }
 
-bool flies(const Scenario& scenario, int source) {
-  return source >= 0 && !can_rest(setup_of(scenario, source).model);
+bool flies(const Scenario& scenario, BodyId body) {
+  const RobotSetup* robot = setup_of(scenario, body);
+  return robot != nullptr && !can_rest(robot->model);
 }
 
 // What should keep the two apart, "both brake at once" or the like.
 std::string fallback_of(const BrokenStart& start, const Scenario& scenario,
                         const Wording& wording) {
-  const auto alone = [&](int robot) {
+  const auto alone = [&](BodyId robot) {
     return wording.name_of(robot) + (flies(scenario, robot) ? " circles" : " brakes");
   };
-  if (start.other < 0) return alone(start.robot) + " at once";
+  if (std::holds_alternative<MovingObstacleId>(start.other)) return alone(start.robot) + " at once";
   const bool flight = flies(scenario, start.robot);
   if (flight != flies(scenario, start.other))
     return alone(start.robot) + " and " + alone(start.other) + " at once";
@@ -65,9 +72,9 @@ std::string fallback_of(const BrokenStart& start, const Scenario& scenario,
 }
 
 // Returns whether start_at_rest() would change its start.
-bool can_slow_down(const Scenario& scenario, int source) {
+bool can_slow_down(const Scenario& scenario, BodyId body) {
   Scenario alone;
-  if (source >= 0) alone.robots.push_back(setup_of(scenario, source));
+  if (const RobotSetup* robot = setup_of(scenario, body)) alone.robots.push_back(*robot);
   return start_at_rest(alone) > 0;
 }
 
@@ -90,21 +97,22 @@ std::string complaint_of(const SensingNeed& need, const Scenario& scenario,
 
 namespace {
 
-bool has_footprint_of(const Scenario& scenario, int robot) {
-  return has_footprint(setup_of(scenario, robot).model);
+bool is_disc(const Scenario& scenario, BodyId body) {
+  const RobotSetup* robot = setup_of(scenario, body);
+  return robot == nullptr || !has_footprint(robot->model);
+}
+
+double radius_of(const Scenario& scenario, BodyId body) {
+  if (const RobotSetup* robot = setup_of(scenario, body)) return disc_radius(*robot);
+  return listed_as(std::get<MovingObstacleId>(body), scenario.moving_obstacles).radius;
 }
 
 }  // namespace
 
 std::string complaint(const BrokenStart& start, const Scenario& scenario, const Wording& wording) {
-  const double own = disc_radius(setup_of(scenario, start.robot));
-  const double other =
-      start.other >= 0
-          ? disc_radius(setup_of(scenario, start.other))
-          : scenario.moving_obstacles[static_cast<std::size_t>(-1 - start.other)].radius;
+  const double own = radius_of(scenario, start.robot), other = radius_of(scenario, start.other);
   const std::string pair = wording.name_of(start.robot) + " and " + wording.name_of(start.other);
-  const bool are_discs = !has_footprint_of(scenario, start.robot) &&
-                         (start.other < 0 || !has_footprint_of(scenario, start.other));
+  const bool are_discs = is_disc(scenario, start.robot) && is_disc(scenario, start.other);
   if (start.distance < (1.0 - 1e-9) * (own + other) && !are_discs)
     return pair + " overlap at the start: found " + rounded(own + other - start.distance, 6) +
            " m of overlap of their footprints, must be none; move them apart";
@@ -123,7 +131,7 @@ std::string complaint(const BrokenStart& start, const Scenario& scenario, const 
 std::string complaint(const WallStart& start, const Scenario& scenario, const Wording& wording) {
   const RobotSetup& setup = setup_of(scenario, start.robot);
   const double own = route_radius(setup.model, disc_radius(setup));
-  const double wall = scenario.obstacles[static_cast<std::size_t>(start.obstacle)].radius;
+  const double wall = listed_as(start.obstacle, scenario.obstacles).radius;
   const double margin = start.required - own - wall;
   const std::string name = wording.name_of(start.robot);
   const std::string place = wording.name_of_static(start.obstacle);
@@ -143,8 +151,7 @@ std::string complaint(const WallStart& start, const Scenario& scenario, const Wo
 
 std::string complaint(const MisplacedStart& start, const Scenario& scenario,
                       const Wording& wording) {
-  const bool solid =
-      scenario.obstacles[static_cast<std::size_t>(start.obstacle)].fill == Fill::solid;
+  const bool solid = listed_as(start.obstacle, scenario.obstacles).fill == Fill::solid;
   return "position of " + wording.name_of(start.robot) + ": found " +
          text(setup_of(scenario, start.robot).position) + ", must be " +
          (solid ? "outside of the solid " : "inside of the bounds ") +
@@ -175,12 +182,8 @@ void require_assumptions(const Scenario& scenario) {
 namespace avo {
 
 std::vector<std::string> complaints(const Scenario& scenario, const RemedyNames& remedies) {
-  const Wording wording{remedies,
-                        [](int source) {
-                          return source >= 0 ? "robot " + std::to_string(source)
-                                             : "moving obstacle " + std::to_string(-1 - source);
-                        },
-                        [](int index) { return "obstacles." + std::to_string(index); }};
+  const Wording wording{remedies, [](BodyId body) { return name_of(body); },
+                        [](ObstacleId id) { return "obstacles." + std::to_string(id.value); }};
   const BrokenAssumptions broken = broken_assumptions(scenario);
   std::vector<std::string> lines;
   const auto tell = [&](const auto& list, std::int64_t count, const char* others) {

@@ -11,8 +11,8 @@ namespace avo::inline sim {
 /// The names that the readers of the words use.
 struct Wording {
   RemedyNames remedies = {};
-  std::function<std::string(int source)> name_of;        // robot i, or -1 - k for moving obstacle k
-  std::function<std::string(int index)> name_of_static;  // of Scenario::obstacles
+  std::function<std::string(BodyId)> name_of;
+  std::function<std::string(ObstacleId)> name_of_static;
 };
 
 std::string complaint(const BrokenStart& start, const Scenario& scenario, const Wording& wording);

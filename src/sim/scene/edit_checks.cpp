@@ -26,6 +26,9 @@ std::string name_of(ObstacleId obstacle) {
 std::string name_of(MovingObstacleId obstacle) {
   return "moving obstacle " + std::to_string(obstacle.value);
 }
+std::string name_of(BodyId body) {
+  return std::visit([](auto id) { return name_of(id); }, body);
+}
 
 namespace {
 
@@ -81,7 +84,7 @@ namespace {
 // The present robots, for checks that do not depend on their places.
 Scenario present_scene(const World& world) {
   Scenario scene = world.settings;
-  scene.moving_obstacles = world.obstacles.setup;
+  scene.moving_obstacles = world.movers.setup;
   scene.robots = world.kinds->examples();
   return scene;
 }
@@ -106,6 +109,8 @@ void check_declared(const World& world, const RobotSetup& setup, RobotId robot) 
   const SensingError& declared = options.sensing_error;
   if (options.certificate != Certificate::braking_trajectories) return;
   Scenario scene = world.settings;
+  scene.execution = world.fleet.bases.model;
+  scene.execution_error = world.fleet.bases.declared;
   const auto needed_by = [&scene](const RobotSetup& one) {
     scene.robots.assign(1, one);
     return declared_error(scene);
@@ -185,14 +190,14 @@ void check_certificate(const World& world, const StaticObstacle& obstacle, const
   }
   BrokenAssumptions broken;
   find_wall_starts(scene, states, law, broken);
-  const auto robot_at = [&](int rank) {
-    const std::uint32_t slot = fleet.slot_of[static_cast<std::size_t>(rank)];
+  const auto robot_at = [&](RobotId in_scene) {
+    const std::uint32_t slot = listed_as(in_scene, fleet.slot_of);
     const Vec2 p = fleet.position[slot];
     return name_of(fleet.id[slot]) + " at [" + rounded(p.x, 9) + ", " + rounded(p.y, 9) + "]";
   };
   if (broken.beside_count > 0) {
     const WallStart& worst = broken.beside.front();
-    const double radius = disc_radius(scene.robots[static_cast<std::size_t>(worst.robot)]);
+    const double radius = disc_radius(listed_as(worst.robot, scene.robots));
     refuse(name,
            robot_at(worst.robot) + ", which is " + rounded(worst.distance, 9) + " m from it, " +
                rounded(worst.kept, 9) + " m once it has braked",

@@ -16,6 +16,7 @@ struct World;
 std::string name_of(RobotId robot);
 std::string name_of(ObstacleId obstacle);
 std::string name_of(MovingObstacleId obstacle);
+std::string name_of(BodyId body);
 
 /// The world's settings for a scene of these robots.
 Scenario settings_for(const World& world, std::span<const RobotSetup> robots);
@@ -32,6 +33,8 @@ void check_newcomer(const World& world, const RobotSetup& setup, RobotId robot);
 void look_around_starts(World& world);
 /// Refuses a start that breaks the assumptions of the certificate, unless the scene allows it.
 void check_start(const World& world, const RobotSetup& setup, RobotId robot);
+/// Returns whether a robot in motion would not be able to keep clear of this robot, which rests.
+bool is_in_the_way(World& world, const RobotSetup& setup, RobotId robot);
 /// Refuses a moving obstacle of which some robot could not keep clear, unless the scene allows it.
 void check_mover_start(const World& world, const MovingObstacle& obstacle, const PathWalk& start,
                        const std::string& name);

@@ -125,6 +125,8 @@ PlannerOptions planner_options(const Scenario& scenario, const RobotSetup& robot
 
 SensingError declared_error(const Scenario& scenario) {
   SensingError error = most_noise(scenario.sensing.noise);
+  const SensingError off = body_error(scenario);
+  error.position += off.position, error.velocity += off.velocity;
   if (scenario.sensing.delay > 0) {
     double strongest = 0.0;  // m/s²
     for (const RobotSetup& robot : scenario.robots)

@@ -35,7 +35,7 @@ constexpr double kQuarterTurn = 0.25 * std::numbers::pi;
 
 // What a robot at its highest speed needs, if it is unseen until the next step.
 struct UnseenPart {
-  int robot = 0;
+  RobotId robot;
   double length = 0.0;   // m, radius and distance
   double seconds = 0.0;  // until rest, or until it has turned aside on its circle
 };
@@ -52,7 +52,7 @@ UnseenPart part_of(const Scenario& scenario, std::size_t i, const CertificateLaw
   // a robot that flies turns aside by half of its circle
   const double seconds =
       flies ? step + kQuarterTurn * circle / v : step * (1.0 + braking_steps(v, u));
-  return {static_cast<int>(i),
+  return {RobotId{i},
           disc_radius(robot) +
               ((step + late) * fastest + (flies ? circle : stopping_length(v, u, own))),
           seconds + late};
@@ -81,7 +81,7 @@ double part_of(const MovingObstacle& obstacle, double seconds, double duration,
 
 // The robots that need more time or more length than all others: only they can be the worst for an
 // obstacle.
-std::vector<UnseenPart> worst_for_obstacles(std::vector<UnseenPart> parts) {
+std::vector<UnseenPart> worst_for_movers(std::vector<UnseenPart> parts) {
   std::stable_sort(parts.begin(), parts.end(), [](const UnseenPart& a, const UnseenPart& b) {
     return a.seconds != b.seconds ? a.seconds > b.seconds : a.length > b.length;
   });
@@ -109,7 +109,7 @@ void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
                   const std::vector<UnseenPart>& parts, const Take& take) {
   Kinds kinds;
   const auto robot = [&](const UnseenPart& part) -> const RobotSetup& {
-    return scenario.robots[static_cast<std::size_t>(part.robot)];
+    return listed_as(part.robot, scenario.robots);
   };
   for (const UnseenPart& part : parts)
     kinds[{robot(part).layers.bits, robot(part).avoids.bits, robot(part).behavior,
@@ -123,7 +123,7 @@ void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
   for (const auto& [key_a, of_a] : kinds) {
     const RobotSetup& a = robot(of_a.front());
     if (!keeps(scenario, a, law)) continue;
-    const std::vector<UnseenPart> front = worst_for_obstacles(of_a);
+    const std::vector<UnseenPart> front = worst_for_movers(of_a);
     for (const auto& [key_b, of_b] : kinds) {
       const RobotSetup& b = robot(of_b.front());
       const auto expected = expected_of(conduct_of(b, usual), conduct_of(a, usual));
@@ -145,7 +145,7 @@ void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
 
 std::optional<SensingNeed> sensing_need(const Scenario& scenario, const CertificateLaw& law) {
   std::optional<SensingNeed> worst;
-  const auto take = [&](const UnseenPart& part, int other, double other_part) {
+  const auto take = [&](const UnseenPart& part, BodyId other, double other_part) {
     const double range = part.length + other_part;
     if (!worst || range > worst->range) {
       worst = SensingNeed{range, part.robot, other, part.length, other_part};
@@ -170,12 +170,12 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
   }
   if (scenario.moving_obstacles.empty()) return worst;
   std::erase_if(parts, [&](const UnseenPart& part) {
-    return !keeps(scenario, scenario.robots[static_cast<std::size_t>(part.robot)], law);
+    return !keeps(scenario, listed_as(part.robot, scenario.robots), law);
   });
-  const std::vector<UnseenPart> front = worst_for_obstacles(parts);
+  const std::vector<UnseenPart> front = worst_for_movers(parts);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
     for (const UnseenPart& part : front) {
-      take(part, -1 - static_cast<int>(k),
+      take(part, MovingObstacleId{k},
            part_of(scenario.moving_obstacles[k], part.seconds, scenario.duration, law));
     }
   }

@@ -113,10 +113,10 @@ StartCompany::StartCompany(const World& world, const RobotSetup& setup, RobotId 
     scene.robots.push_back(committed(world.fleet, other));
     id.push_back(world.fleet.id[other]);
   }
-  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
-    MovingObstacle& mover = scene.moving_obstacles.emplace_back(world.obstacles.setup[k]);
-    mover.position = world.obstacles.position[k];
-    mover.velocity = world.obstacles.velocity[k];
+  for (std::size_t k = 0; k < world.movers.setup.size(); ++k) {
+    MovingObstacle& mover = scene.moving_obstacles.emplace_back(world.movers.setup[k]);
+    mover.position = world.movers.position[k];
+    mover.velocity = world.movers.velocity[k];
   }
 }
 
@@ -145,7 +145,7 @@ std::optional<BrokenStart> find_in_motion(const World& world, const StartCompany
     const double gap = distance(disc_center(own), {fleet.position[slot], clock.to.position}) - bow -
                        norm(own.velocity) * left;
     if (gap < (1.0 - kStartTolerance) * contact)
-      return BrokenStart{0, static_cast<int>(k) + 1, norm(fleet.position[slot] - disc_center(own)),
+      return BrokenStart{RobotId{0}, RobotId{k + 1}, norm(fleet.position[slot] - disc_center(own)),
                          contact - gap};
   }
   return {};
@@ -162,16 +162,16 @@ std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law
   WallNeeds needs;
   include_start(company.scene, own, state, law, needs);
   if (floor.needs && floor.needs->cover(needs) &&
-      !worst_wall(company.scene, 0, state, floor.grid.near(state.position), law))
+      !worst_wall(company.scene, RobotId{0}, state, floor.grid.near(state.position), law))
     return {};
   const std::span<const Wall> walls =
       std::span(floor.walls).first(floor.walls.size() - statics.parked.size());
-  auto worst = worst_wall(company.scene, 0, state, walls, law);
+  auto worst = worst_wall(company.scene, RobotId{0}, state, walls, law);
   if (!worst) return worst;
-  auto before = static_cast<std::size_t>(worst->obstacle);
+  std::uint64_t before = worst->obstacle.value;
   for (std::size_t k = 0; k < statics.obstacles.size(); ++k) {
     if (!heeds(own.layers, statics.obstacles[k])) continue;
-    const std::size_t walls_of_it = walls_of(std::span(&statics.obstacles[k], 1)).size();
+    const std::uint64_t walls_of_it = walls_of(std::span(&statics.obstacles[k], 1)).size();
     if (before < walls_of_it) {
       company.scene.obstacles = {statics.obstacles[k]};
       obstacle = statics.id[k];
@@ -179,17 +179,19 @@ std::optional<WallStart> find_wall(const World& world, const CertificateLaw& law
     }
     before -= walls_of_it;
   }
-  worst->obstacle = 0;
+  worst->obstacle = {0};
   return worst;
 }
 
-Wording wording_of(const StartCompany& company, const ObstacleId& obstacle) {
+// The company's scene has positions for ids.
+Wording wording_of(const World& world, const StartCompany& company, const ObstacleId& obstacle) {
   return {{},
-          [&company](int source) {
-            return source >= 0 ? name_of(company.id[static_cast<std::size_t>(source)])
-                               : "moving obstacle " + std::to_string(-1 - source);
+          [&](BodyId body) {
+            const auto* robot = std::get_if<RobotId>(&body);
+            if (robot != nullptr) return name_of(listed_as(*robot, company.id));
+            return name_of(listed_as(std::get<MovingObstacleId>(body), world.movers.id));
           },
-          [&obstacle](int) { return name_of(obstacle); }};
+          [&obstacle](ObstacleId) { return name_of(obstacle); }};
 }
 
 }  // namespace
@@ -228,22 +230,38 @@ void check_mover_start(const World& world, const MovingObstacle& obstacle, const
         fleet.has_clocks ? longest_first_step(law) * norm(fleet.velocity[slot]) : 0.0;
     find_starts_of_first(scene, law, late, broken);
     if (broken.starts.empty()) continue;
-    const Wording wording{
-        {}, [&](int source) { return source >= 0 ? name_of(fleet.id[slot]) : name; }, {}};
+    const Wording wording{{},
+                          [&](BodyId body) {
+                            return std::holds_alternative<RobotId>(body) ? name_of(fleet.id[slot])
+                                                                         : name;
+                          },
+                          {}};
     refuse_start(complaint(broken.starts.front(), scene, wording));
   }
+}
+
+bool is_in_the_way(World& world, const RobotSetup& setup, RobotId robot) {
+  look_around_starts(world);
+  if (world.settings.allow_broken_assumptions || !world.all_matter()) return false;
+  std::vector<std::size_t> others = others_near(world, setup, robot);
+  std::erase_if(others, [&](std::size_t slot) { return world.fleet.velocity[slot] == Vec2{}; });
+  StartCompany company(world, setup, robot, std::move(others));
+  company.scene.moving_obstacles.clear();
+  BrokenAssumptions broken;
+  find_starts_of_first(company.scene, certificate_law(world.certified_planner()), 0.0, broken);
+  return !broken.starts.empty();
 }
 
 void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
   std::vector<std::size_t> others = others_near(world, setup, robot);
-  const bool is_alone = others.empty() && world.obstacles.setup.empty() &&
+  const bool is_alone = others.empty() && world.movers.setup.empty() &&
                         world.statics.obstacles.empty() && !world.statics.has_walls;
   if (is_alone && !exceeds(norm(setup.velocity), setup.max_speed)) return;
   StartCompany company(world, setup, robot, std::move(others));
   const CertificateLaw law = certificate_law(world.certified_planner());
   ObstacleId obstacle;
-  const Wording wording = wording_of(company, obstacle);
+  const Wording wording = wording_of(world, company, obstacle);
   BrokenAssumptions broken;
   const double late =  // a robot within a step begins to brake so much later
       world.fleet.has_clocks ? longest_first_step(law) * norm(setup.velocity) : 0.0;
@@ -252,7 +270,7 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
     broken.starts.push_back(*start);
   if (!broken.starts.empty()) {
     BrokenStart& worst = broken.starts.front();
-    if (worst.other == 0) std::swap(worst.robot, worst.other);
+    if (worst.other == BodyId(RobotId{0})) worst.other = std::exchange(worst.robot, RobotId{0});
     refuse_start(complaint(worst, company.scene, wording));
   }
   if (!keeps_any(world, setup)) return;
@@ -262,10 +280,10 @@ void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
     if (leaves_room(setup, disc_center(setup), world.statics.obstacles[k])) continue;
     company.scene.obstacles = {world.statics.obstacles[k]};
     obstacle = world.statics.id[k];
-    refuse_start(complaint(MisplacedStart{0, 0}, company.scene, wording));
+    refuse_start(complaint(MisplacedStart{}, company.scene, wording));
   }
   if (exceeds(norm(setup.velocity), setup.max_speed))
-    refuse_start(complaint(FastStart{0, norm(setup.velocity)}, company.scene, wording));
+    refuse_start(complaint(FastStart{RobotId{0}, norm(setup.velocity)}, company.scene, wording));
 }
 
 }  // namespace avo::inline sim

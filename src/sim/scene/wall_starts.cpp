@@ -31,7 +31,7 @@ namespace {
 struct ListedWalls {
   LayerSet layers;
   std::vector<Wall> walls = {};
-  std::vector<int> obstacle = {};
+  std::vector<ObstacleId> obstacle = {};
   WallGrid grid = {};  // of the walls that a robot of the scene may be too near to
 };
 
@@ -64,7 +64,7 @@ class WallsOfLayers {
       if (!heeds(robot.layers, scenario_.obstacles[k])) continue;
       const std::vector<Wall> walls = walls_of(std::span(&scenario_.obstacles[k], 1));
       listed.walls.insert(listed.walls.end(), walls.begin(), walls.end());
-      listed.obstacle.insert(listed.obstacle.end(), walls.size(), static_cast<int>(k));
+      listed.obstacle.insert(listed.obstacle.end(), walls.size(), ObstacleId{k});
     }
     WallNeeds needs;
     for (std::size_t i = 0; i < states_.size(); ++i)
@@ -91,10 +91,10 @@ struct WallStartDisc {
   double radius, lever;  // m
 };
 
-std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const MotionState& state,
-                                    const WallStartDisc& disc, std::span<const Wall> walls,
-                                    const CertificateLaw& law) {
-  const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
+std::optional<WallStart> worst_wall(const Scenario& scenario, RobotId number,
+                                    const MotionState& state, const WallStartDisc& disc,
+                                    std::span<const Wall> walls, const CertificateLaw& law) {
+  const RobotSetup& robot = listed_as(number, scenario.robots);
   const Vec2 center = disc.center;
   const double radius = disc.radius, lever = disc.lever;
   const WallRounding rounding = wall_rounding(radius + lengths_of_rounding(lever), robot.max_speed,
@@ -105,17 +105,22 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const 
   const auto start_at = [&](const Wall& wall) {
     const Segment segment{wall.a - center, wall.b - center};
     if (circle)
-      return WallStart{number, 0, distance(Vec2{}, segment),
+      return WallStart{number,
+                       {},
+                       distance(Vec2{}, segment),
                        distance(circle->center, {wall.a, wall.b}) - circle->radius,
                        radius + wall.radius + flight_margin(wall, radius, circle->radius)};
-    return WallStart{number, 0, distance(Vec2{}, segment), distance({{}, to_stop}, segment) - late,
+    return WallStart{number,
+                     {},
+                     distance(Vec2{}, segment),
+                     distance({{}, to_stop}, segment) - late,
                      radius + wall.radius + wall_margin(wall, rounding)};
   };
   const auto lacks = [](const WallStart& start) { return start.required - start.kept; };
   std::optional<WallStart> worst;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     WallStart start = start_at(walls[k]);
-    start.obstacle = static_cast<int>(k);
+    start.obstacle = {k};
     if (lacks(start) > 0.0 && (!worst || lacks(start) > lacks(*worst))) worst = start;
   }
   return worst;
@@ -124,9 +129,10 @@ std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const 
 }  // namespace
 
 // Braking leaves less than the required distance.
-std::optional<WallStart> worst_wall(const Scenario& scenario, int number, const MotionState& state,
-                                    std::span<const Wall> walls, const CertificateLaw& law) {
-  const RobotSetup& robot = scenario.robots[static_cast<std::size_t>(number)];
+std::optional<WallStart> worst_wall(const Scenario& scenario, RobotId number,
+                                    const MotionState& state, std::span<const Wall> walls,
+                                    const CertificateLaw& law) {
+  const RobotSetup& robot = listed_as(number, scenario.robots);
   const Footprint footprint = footprint_of(robot.model);
   if (!footprint)
     return worst_wall(scenario, number, state, {state.position, disc_radius(robot), 0.0}, walls,
@@ -185,18 +191,18 @@ void find_wall_starts(const Scenario& scenario, std::span<const MotionState> sta
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const RobotSetup& robot = scenario.robots[i];
     if (!keeps(scenario, robot, law)) continue;
-    const int number = static_cast<int>(i);
+    const RobotId number{i};
     const MotionState& state = states[i];
     const ListedWalls& listed = walls.of(robot);
     if (worst_wall(scenario, number, state, listed.grid.near(state.position), law)) {
       beside.push_back(*worst_wall(scenario, number, state, listed.walls, law));
-      beside.back().obstacle = listed.obstacle[static_cast<std::size_t>(beside.back().obstacle)];
+      beside.back().obstacle = listed_as(beside.back().obstacle, listed.obstacle);
     }
     for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {
       if (leaves_room(robot, states[i].position, scenario.obstacles[k])) continue;
       ++result.misplaced_count;
       if (result.misplaced.size() < BrokenAssumptions::kNamed)
-        result.misplaced.push_back({number, static_cast<int>(k)});
+        result.misplaced.push_back({number, {k}});
       break;
     }
   }

@@ -13,8 +13,8 @@ namespace {
 // A sighting's source as Perception::source says it: by ids.
 std::int64_t named(const World& world, int source) {
   if (source < 0)
-    return -1 - static_cast<std::int64_t>(
-                    world.obstacles.id[static_cast<std::size_t>(-1 - source)].value);
+    return -1 -
+           static_cast<std::int64_t>(world.movers.id[static_cast<std::size_t>(-1 - source)].value);
   const Fleet& fleet = world.fleet;
   return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(source)]].value);
 }
@@ -27,6 +27,32 @@ void list_neighbors(const World& world, const Worker& alone, Simulation::Percept
         seen.trajectories.emplace_back(std::make_shared<Trajectory>(*neighbor.trajectory)).get();
   }
   for (const int source : *alone.sources) seen.source.push_back(named(world, source));
+}
+
+// What each of the floor's walls is of, as Perception::wall_source says it.
+std::vector<std::int64_t> wall_sources(const World& world, const Floor& floor) {
+  std::vector<std::int64_t> sources;
+  const StaticWorld& statics = world.statics;
+  for (std::size_t k = 0; k < statics.obstacles.size(); ++k) {
+    if (!heeds(floor.layers, statics.obstacles[k])) continue;
+    const std::size_t own = walls_of(std::span(statics.obstacles).subspan(k, 1)).size();
+    sources.insert(sources.end(), own, static_cast<std::int64_t>(statics.id[k].value));
+  }
+  for (const std::uint32_t slot : world.fleet.slot_of)
+    if (world.fleet.conduct[slot].parked)
+      sources.push_back(-1 - static_cast<std::int64_t>(world.fleet.id[slot].value));
+  return sources;
+}
+
+void list_walls(const World& world, std::uint32_t slot, const Worker& alone,
+                Simulation::Perception& seen) {
+  const std::span<const Wall> walls = alone.tile.walls_of(0);
+  seen.walls.assign(walls.begin(), walls.end());
+  if (walls.empty()) return;
+  const Floor& floor = world.statics.floors[world.floor_of(slot)];
+  const std::vector<std::int64_t> sources = wall_sources(world, floor);
+  for (const std::uint32_t wall : floor.grid.numbers_near(world.fleet.position[slot]))
+    seen.wall_source.push_back(sources[wall]);
 }
 
 // Takes the robot with what it senses as a tile of its own, as a step does. It remembers in copies.
@@ -42,8 +68,7 @@ void set_out_alone(const World& world, std::span<const Claims> claims, std::uint
   set_out(world, world.pace(slot), claims, {&slot, 1}, alone);
   seen.robot = alone.tile.robots.robot(0);
   seen.robot.max_braking = max_braking_of(world.fleet.traits[slot]);
-  const std::span<const Wall> walls = alone.tile.walls_of(0);
-  seen.walls.assign(walls.begin(), walls.end());
+  list_walls(world, slot, alone, seen);
   if (!alone.staying.empty()) seen.stop = stop_of(world, slot);
 }
 

@@ -9,159 +9,19 @@
 
 #include "core/plane.h"
 #include "sim/sensing/sense_query.h"
+#include "sim/sensing/sensed_neighbors.h"
 #include "sim/world.h"
 
 namespace avo::inline sim {
 namespace {
 
 // Returns whether all neighbors that are sensed exactly are valid, for any motion since they were
-// checked, and so is the place that the robot believes to be at.
+// checked. The place where the robot believes to be has to be valid as well.
 bool is_trusted(const World& world, std::size_t slot) {
   const Vec2 p = world.fleet.position[slot];
   return world.summary.is_valid && !world.summary.is_fast &&
          !(world.settings.sensing.localization.position > 0.0) &&
          std::abs(p.x) <= kFarthestTrusted && std::abs(p.y) <= kFarthestTrusted;
-}
-
-// Appends in canonical order.
-void append(const Snapshot& snapshot, const Found& hits, const SearchScratch& search,
-            NeighborColumns& to) {
-  to.reserve(to.count + hits.count);
-  for (std::size_t k = hits.first; k < hits.first + hits.count; ++k, ++to.count) {
-    const std::uint32_t place = search.order[k];
-    const Vec2 p = snapshot.grid.position(place);
-    const Sensed& sensed = snapshot.sensed[place];
-    to.x[to.count] = p.x, to.y[to.count] = p.y;
-    to.v_x[to.count] = sensed.velocity.x, to.v_y[to.count] = sensed.velocity.y;
-    to.radius[to.count] = sensed.radius;
-    to.max_acceleration[to.count] = sensed.max_acceleration;
-  }
-}
-
-// Sets the parting direction of the neighbors just appended that coincide with the robot: only
-// their ids distinguish them.
-void part_coinciding(const World& world, std::size_t slot, const Found& hits,
-                     const SearchScratch& search, NeighborColumns& to) {
-  const Vec2 position = world.fleet.position[slot], velocity = world.fleet.velocity[slot];
-  const std::size_t before = to.count - hits.count;
-  for (std::size_t k = 0; k < hits.count; ++k) {
-    const std::size_t place = before + k;
-    if (Vec2{to.x[place], to.y[place]} != position) return;  // and neither does any later neighbor
-    const std::uint32_t other = world.snapshot.grid.order()[search.order[hits.first + k]];
-    if (Vec2{to.v_x[place], to.v_y[place]} == velocity)
-      to.part(place, parting_direction(world.fleet.id[slot].value, world.fleet.id[other].value));
-  }
-}
-
-// Sets the deviations of the neighbors just appended, where some accelerate by more than others
-// expect.
-void append_deviations(const World& world, const Found& hits, const SearchScratch& search,
-                       NeighborColumns& to) {
-  to.has_deviations = true;
-  const std::size_t before = to.count - hits.count;
-  for (std::size_t k = 0; k < hits.count; ++k) {
-    const RobotTraits& other =
-        world.fleet.traits[world.snapshot.grid.order()[search.order[hits.first + k]]];
-    to.motion[before + k].max_deviation = other.exceeds ? top_acceleration(other) : 0.0;
-  }
-}
-
-// Sets their limits of braking, where some have another one.
-void append_braking(const Found& hits, NeighborColumns& to) {
-  const auto before = static_cast<std::ptrdiff_t>(to.count - hits.count);
-  std::copy_n(to.max_acceleration.begin() + before, hits.count, to.max_braking.begin() + before);
-}
-
-// The robot in slot B as the one in slot A senses it there; none where A does not avoid it.
-std::optional<Neighbor> sensed_by(const World& world, std::size_t a, std::size_t b, Vec2 position,
-                                  Vec2 velocity) {
-  const Fleet& fleet = world.fleet;
-  const auto expected = fleet.expected(b, a);
-  if (!expected) return std::nullopt;
-  Neighbor neighbor = sensed(fleet.traits[b], fleet.conduct[b], *expected, position, velocity);
-  if (fleet.has_footprints && fleet.own_model(b) != nullptr)
-    cover(*fleet.own_model(b), world.snapshot.pose[b], neighbor);
-  if (position == fleet.position[a] && velocity == fleet.velocity[a])
-    neighbor.parting = parting_direction(fleet.id[a].value, fleet.id[b].value);
-  return neighbor;
-}
-
-// The robot at a place of the snapshot.
-std::optional<Neighbor> sensed_at(const World& world, std::size_t place, std::size_t own) {
-  const Snapshot& snapshot = world.snapshot;
-  auto neighbor = sensed_by(world, own, snapshot.grid.order()[place], snapshot.grid.position(place),
-                            snapshot.sensed[place].velocity);
-  if (neighbor && !snapshot.circle.empty() && snapshot.circle[place].radius > 0.0)
-    neighbor->loiter = snapshot.circle[place];
-  return neighbor;
-}
-
-// Notes who the neighbor just appended is, see Worker::sources.
-void note(int source, Worker& worker) {
-  if (worker.sources != nullptr) worker.sources->push_back(source);
-}
-
-// Appends the neighbors one by one: among moving obstacles, robots first where distances are equal,
-// and where robots are not all alike.
-void append_one_by_one(const World& world, std::size_t slot, std::span<const NeighborHit> robots,
-                       Worker& worker) {
-  NeighborColumns& to = worker.tile.neighbors;
-  const std::size_t most =
-      world.all_matter_to(slot) ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
-  const std::span<const NeighborHit> obstacles =
-      world.obstacle_grid.gather(world.fleet.position[slot], -1, most, worker.obstacles);
-  const std::size_t first = to.count;
-  to.reserve(first + std::min(robots.size() + obstacles.size(), most));
-  auto robot = robots.begin(), obstacle = obstacles.begin();
-  while (to.count - first < most && (robot != robots.end() || obstacle != obstacles.end())) {
-    if (obstacle == obstacles.end() ||
-        (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
-      const NeighborHit& hit = *robot++;
-      const auto neighbor = sensed_at(world, hit.place, slot);
-      if (!neighbor) continue;
-      to.add(*neighbor);
-      note(hit.index, worker);
-    } else {
-      const int index = (obstacle++)->index;
-      to.add(world.obstacles.sensed(static_cast<std::size_t>(index)));
-      note(-1 - index, worker);
-    }
-  }
-}
-
-// Appends them as they are sensed, where senses are not exact. Returns whether all of them are
-// sensed as they truly are.
-bool append_sighted(const World& world, std::size_t slot, std::size_t query, Worker& worker) {
-  const Snapshot& snapshot = world.snapshot;
-  const auto present_at = [&](std::size_t place, int rank) {
-    return Present{snapshot.grid.order()[place],
-                   static_cast<std::size_t>(rank),
-                   {snapshot.grid.position(place), snapshot.sensed[place].velocity}};
-  };
-  const Found& hits = worker.search.results[query];
-  worker.seen.clear();
-  for (std::size_t k = hits.first; k < hits.first + hits.count; ++k) {
-    const std::size_t place = worker.search.order[k];
-    worker.seen.push_back(present_at(place, snapshot.grid.index(place)));
-  }
-  const Present own{slot,
-                    static_cast<std::size_t>(world.fleet.rank[slot]),
-                    {world.fleet.position[slot], world.fleet.velocity[slot]}};
-  NeighborColumns& to = worker.tile.neighbors;
-  const bool may_be_usual = world.obstacles.setup.empty() && worker.sources == nullptr;
-  if (may_be_usual && append_as_they_are(world, own, worker.seen, to)) return true;
-  std::span<const NeighborHit> movers;
-  if (!world.obstacles.setup.empty()) {
-    constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-    movers = world.obstacle_grid.gather(world.fleet.position[slot], -1, kAll, worker.obstacles);
-  }
-  look(world, own, worker.seen, movers, worker.sightings);
-  to.reserve(to.count + worker.sightings.size());
-  for (const Sighting& sighting : worker.sightings) {
-    append(world, sighting, to);
-    note(sighting.source, worker);
-  }
-  return false;
 }
 
 // m, a radius that contains the nearest, or all if those are fewer.
@@ -189,7 +49,7 @@ Scrutiny look_at_outliers(const World& world, std::size_t a, std::size_t query, 
   const Fleet& fleet = world.fleet;
   const Outliers& outliers = world.outliers;
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  if (!world.obstacle_grid.gather(fleet.position[a], -1, 1, worker.obstacles).empty())
+  if (!world.mover_grid.gather(fleet.position[a], -1, 1, worker.movers).empty())
     return Scrutiny::everyone;
   if (outliers.robots.empty()) return outliers.usual;
   Scrutiny scrutiny = outliers.usual;
@@ -236,10 +96,7 @@ Examined append_sensed(const World& world, std::size_t slot, std::size_t query, 
   const Found& hits = worker.search.results[query];
   NeighborColumns& to = worker.tile.neighbors;
   if (scrutiny == Scrutiny::plain) {
-    append(world.snapshot, hits, worker.search, to);
-    part_coinciding(world, slot, hits, worker.search, to);
-    if (world.summary.exceeds) append_deviations(world, hits, worker.search, to);
-    if (!world.outliers.robots.empty()) append_braking(hits, to);
+    append_plain(world, slot, hits, worker.search, to);
   } else if (scrutiny == Scrutiny::one_by_one) {
     append_one_by_one(world, slot, world.snapshot.grid.list(query, worker.search), worker);
   } else {

@@ -94,6 +94,8 @@ struct Senses {
  private:
   Track spare_;  // for reserve_one()
 };
+/// What others can sense of a robot: its body, where that is not where it was decided to be.
+PastState body_of(const Fleet& fleet, std::size_t slot);
 /// The senses for a scene's robots, none of which has been added yet.
 Senses senses_of(const Scenario& scenario);
 

@@ -84,12 +84,20 @@ void Senses::renew(std::size_t rank, std::int64_t now) {
   if (by_time) tracks[rank].count = 0;
 }
 
+PastState body_of(const Fleet& fleet, std::size_t slot) {
+  const std::vector<Base>& bodies = fleet.bases.all;
+  const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
+  // a robot that has just come is at its reference, and gets its body last
+  if (rank >= bodies.size()) return {fleet.position[slot], fleet.velocity[slot]};
+  return {bodies[rank].position, bodies[rank].velocity};
+}
+
 void Senses::note(const Fleet& fleet, std::int64_t generation) {
   if (are_exact()) return;
   const std::size_t place = static_cast<std::size_t>(generation) % depth;
   for (std::size_t rank = 0; rank < fleet.size(); ++rank) {
     const std::uint32_t slot = fleet.slot_of[rank];
-    past[rank * depth + place] = {fleet.position[slot], fleet.velocity[slot]};
+    past[rank * depth + place] = body_of(fleet, slot);
   }
   // each of its steps begins where the one before ended
   for (std::size_t rank = 0; rank < tracks.size(); ++rank) {

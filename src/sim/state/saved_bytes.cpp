@@ -24,11 +24,12 @@ constexpr std::uint64_t kMark = 0x65766173206f7661;         // "avo save"
 constexpr std::uint64_t kChangedMark = 0x32766173206f7661;  // "avo sav2": with what hosts change
 constexpr std::uint64_t kTeamsMark = 0x33766173206f7661;    // "avo sav3": also with teams and names
 constexpr std::uint64_t kBasesMark = 0x34766173206f7661;    // "avo sav4": also with bodies
+constexpr std::uint64_t kMovedMark = 0x35766173206f7661;    // "avo sav5": also who is moved
 constexpr std::size_t kFewestWords = 3;                     // mark, number of bytes, checksum
 constexpr std::size_t kObstacleWords = 17, kRobotWords = 19;  // at least
 constexpr std::size_t kPastWords = 4, kClockWords = 15, kKnotWords = 6;
 constexpr std::size_t kStaticWords = 4, kChainWords = 2;  // at least
-constexpr std::size_t kToldWords = 3;
+constexpr std::size_t kToldWords = 3, kHostMotionWords = 5;
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   std::uint64_t hash = 0;
@@ -78,7 +79,7 @@ void describe(Archive<kReads>& archive, SavedClock& clock, RobotSetup& setup) {
 
 template <bool kReads>
 void describe(Archive<kReads>& archive, MovingObstacle& setup, PathWalk& state) {
-  for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
+  for_each_mover_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
   describe(archive, state.next_point);
 }
@@ -142,9 +143,9 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   describe(archive, state.steps), describe(archive, state.next_id);
 
   archive.size(scene.moving_obstacles, kObstacleWords);
-  state.obstacles.resize(scene.moving_obstacles.size());
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
-    describe(archive, scene.moving_obstacles[k], state.obstacles[k]);
+  state.movers.resize(scene.moving_obstacles.size());
+  for (std::size_t k = 0; k < state.movers.size(); ++k) {
+    describe(archive, scene.moving_obstacles[k], state.movers[k]);
   }
   archive.size(scene.robots, kRobotWords);
   state.robots.resize(scene.robots.size());
@@ -214,6 +215,15 @@ void describe_more(Archive<kReads>& archive, Scenario& scene) {
   if (!has_external(scene)) describe(archive, scene.external_method);
 }
 
+template <bool kReads>
+void describe_host_motions(Archive<kReads>& archive, SavedState& state) {
+  archive.size(state.host_motions, kHostMotionWords);
+  for (auto& [robot, motion] : state.host_motions) {
+    describe(archive, robot), describe(archive, motion.velocity);
+    describe(archive, motion.avoids.bits), describe(archive, motion.ends);
+  }
+}
+
 }  // namespace
 
 std::vector<std::byte> to_bytes(SavedState state) {
@@ -221,11 +231,12 @@ std::vector<std::byte> to_bytes(SavedState state) {
   Archive<false> archive;
   std::vector<std::byte>& bytes = archive.written;
   bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
-                         kObstacleWords * state.obstacles.size()));
-  const bool has_bases = !state.bases.are_exact();
-  const bool has_more = has_bases || has_teams_or_name(state.scene);
+                         kObstacleWords * state.movers.size()));
+  const bool has_bases = !state.bases.are_exact(), is_moved = !state.host_motions.empty();
+  const bool has_more = has_bases || is_moved || has_teams_or_name(state.scene);
   const bool changed = has_more || is_changed(state);
   std::uint64_t mark = has_bases  ? kBasesMark
+                       : is_moved ? kMovedMark
                        : has_more ? kTeamsMark
                        : changed  ? kChangedMark
                                   : kMark;
@@ -235,6 +246,7 @@ std::vector<std::byte> to_bytes(SavedState state) {
   if (changed) describe_changes(archive, state);
   if (has_more) describe_more(archive, state.scene);
   if (has_bases) describe_bases(archive, state);
+  if (is_moved) describe_host_motions(archive, state);
   put_word(bytes.size() + kWord, &bytes[kWord]);
   std::uint64_t sum = checksum(bytes);
   archive.word(sum);
@@ -246,7 +258,8 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
     refuse_saved(std::to_string(bytes.size()) + " bytes", "whole");
   }
   const bool has_bases = word_at(bytes, 0) == kBasesMark;
-  const bool has_more = has_bases || word_at(bytes, 0) == kTeamsMark;
+  const bool is_moved = word_at(bytes, 0) == kMovedMark;
+  const bool has_more = has_bases || is_moved || word_at(bytes, 0) == kTeamsMark;
   const bool changed = has_more || word_at(bytes, 0) == kChangedMark;
   if (word_at(bytes, 0) != kMark && !changed)
     refuse_saved("something else", "bytes of Simulation::save()");
@@ -267,6 +280,7 @@ SavedState from_bytes(std::span<const std::byte> bytes) {
   if (changed) describe_changes(archive, state);
   if (has_more) describe_more(archive, state.scene);
   if (has_bases) describe_bases(archive, state);
+  if (is_moved) describe_host_motions(archive, state);
   if (!archive.unread.empty()) {
     refuse_saved(std::to_string(archive.unread.size()) + " more bytes", "no more");
   }

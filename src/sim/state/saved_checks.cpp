@@ -124,6 +124,22 @@ void check_told(const SavedState& state) {
   }
 }
 
+// The host moves robots of common clocks that have no heading and avoid nobody, each once.
+void check_host_motions(const SavedState& state) {
+  std::size_t k = 0;  // ids ascend in both
+  for (const auto& [id, motion] : state.host_motions) {
+    while (k < state.robots.size() && state.robots[k].id.value < id) ++k;
+    const bool is_known = k < state.robots.size() && state.robots[k].id.value == id;
+    const RobotSetup setup = is_known ? state.scene.robots[k] : RobotSetup{};
+    if (!is_known || setup.parked || !is_holonomic(setup.model) || setup.avoids.bits != 0 ||
+        state.scene.clock == Clock::free || !state.bases.are_exact())
+      refuse_saved("a velocity of robot " + std::to_string(id), "one of a robot that hosts move");
+    if (!kAnyValue.contains(motion.velocity.x) || !kAnyValue.contains(motion.velocity.y))
+      refuse_saved("a velocity that is not finite", "finite");
+    ++k;
+  }
+}
+
 // For a robot that may move in any manner within its step, the step must be valid.
 void check_clocks(const SavedState& state) {
   if (state.scene.clock != Clock::free) return;
@@ -160,7 +176,7 @@ void check_states(const SavedState& state) {
     return is_finite(body.position) && is_finite(body.velocity);
   };
   const bool moves = std::all_of(state.robots.begin(), state.robots.end(), is_finite_motion) &&
-                     std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
+                     std::all_of(state.movers.begin(), state.movers.end(), is_finite_motion);
   if (!moves) refuse_saved("a position or velocity that is not finite", "finite");
   if (!std::all_of(state.routes.begin(), state.routes.end(),
                    [](const SavedRoute& route) { return is_finite(route.place); }))
@@ -168,11 +184,11 @@ void check_states(const SavedState& state) {
   if (!std::all_of(state.routes.begin(), state.routes.end(),
                    [](const SavedRoute& route) { return is_sound(route.waiting); }))
     refuse_saved("a wait that no robot can remember", "a sound one");
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+  for (std::size_t k = 0; k < state.movers.size(); ++k) {
     const std::size_t points =
         std::max<std::size_t>(state.scene.moving_obstacles[k].path.size(), 1);
-    if (state.obstacles[k].next_point >= points)
-      refuse_saved("path point " + std::to_string(state.obstacles[k].next_point),
+    if (state.movers[k].next_point >= points)
+      refuse_saved("path point " + std::to_string(state.movers[k].next_point),
                    "below " + std::to_string(points));
   }
   std::uint64_t next = 0;  // lower bound of the id
@@ -199,6 +215,7 @@ void check_states(const SavedState& state) {
     check_id(robot.id.value, state.next_id);
   }
   check_told(state);
+  check_host_motions(state);
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const SavedRobot& robot = state.robots[k];
     if (!state.scene.robots[k].parked) continue;

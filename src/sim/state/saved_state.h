@@ -13,6 +13,7 @@
 #include "guidance/routes.h"
 #include "robots/motion.h"
 #include "sim/bases/bases.h"
+#include "sim/columns/fleet.h"
 #include "sim/sensing/senses.h"
 
 namespace avo::inline sim {
@@ -32,6 +33,12 @@ static_assert(sizeof(SavedRobot) == 72, "it says so in avo/simulation.h");
 struct SavedTold {
   std::uint64_t robot = 0;  // id
   Vec2 velocity;            // m/s
+};
+
+/// The motion of a robot that the host moves.
+struct SavedHostMotion {
+  std::uint64_t robot = 0;  // id
+  HostMotion motion;
 };
 
 /// The part of a robot's route around walls that steps change.
@@ -64,7 +71,7 @@ struct SavedState {
   std::uint64_t next_id = 0;
   std::vector<SavedRobot> robots;  // by ascending id, as many as the scene has
   // in the order of the scene, as many as it has; without a path next_point is 0
-  std::vector<PathWalk> obstacles;
+  std::vector<PathWalk> movers;
   std::vector<SavedRoute> routes;  // of the robots; none without walls and movers at rest
   std::uint64_t next_obstacle = 0;
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
@@ -76,7 +83,8 @@ struct SavedState {
   std::vector<SavedFlight> flights;         // of the robots that fly, in their order
   std::vector<MovingObstacleId> mover_ids;  // ascending, as many as the scene has moving obstacles
   std::uint64_t next_mover = 0;
-  std::vector<SavedTold> told;            // by ascending id
+  std::vector<SavedTold> told;                // by ascending id
+  std::vector<SavedHostMotion> host_motions;  // by ascending id
   std::vector<std::vector<Knot>> tracks;  // of the robots, where senses are by time, oldest first
   Bases bases;  // where bases do not execute exactly; the scene is that of the references then
 };
@@ -112,7 +120,7 @@ void for_each_setting(const Visit& visit) {
 
 /// visit(key, member) for all values of a moving obstacle's setup.
 template <typename Visit>
-void for_each_obstacle_value(const Visit& visit) {
+void for_each_mover_value(const Visit& visit) {
   visit("position", &MovingObstacle::position);
   visit("velocity", &MovingObstacle::velocity);
   visit("acceleration", &MovingObstacle::acceleration);

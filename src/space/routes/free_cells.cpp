@@ -9,8 +9,8 @@
 namespace avo::space {
 namespace {
 
-// of the radius: no plate separates the free parts of a cell, as the sides of a plate are two radii
-// apart there, and the diagonal of a cell is shorter
+// Part of the radius. No plate separates the free parts of a cell. The sides of a plate are two
+// radii apart there, and the diagonal of a cell is shorter.
 constexpr double kSide = 1.15;
 constexpr std::size_t kMostCells = std::size_t{1} << 19U;
 constexpr double kLacking = 1e-9;     // of the room, that a line between two places may lack
@@ -155,8 +155,8 @@ void FreeCells::place_all(const Solids& solids, double radius, std::vector<doubl
   }
 }
 
-// A cell that the middle plane of a narrow slot cuts has its place there, or where two planes meet,
-// on the axis of a tube: a place beside it sees too little of what is beyond.
+// A cell that the middle plane of a narrow slot cuts has its place in that plane. Where two planes
+// meet, it is on the axis of a tube. A place beside it sees too little of what is beyond.
 void FreeCells::place_in_slots(const Solids& solids, double radius,
                                std::vector<double>& clearance) {
   const double sight = most_room_ + 2.0 * grid_.side, beyond = most_room_ + grid_.side;

@@ -63,8 +63,8 @@ struct SpaceWait {
   bool inside = false;  ///< whether that robot is in the passage
 };
 
-/// Whom the rules count first among those for which the robot waits, where right_of_way() makes it
-/// wait. others: scratch.
+/// The robot that the rules count first among those for which the robot waits, where right_of_way()
+/// makes it wait. others: scratch.
 std::optional<SpaceWait> waited_for(const SpacePassages& passages, const SpaceClaims& claims,
                                     const SpaceClaimer& robot, std::vector<Claimant>& others);
 

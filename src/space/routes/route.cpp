@@ -88,7 +88,7 @@ bool moves_on(const Solids& solids, const SpaceRoutePoint& start, SpaceRoute& ro
   return true;
 }
 
-// Puts a point before the others, in place of one that has moved on from the last bend.
+// Puts a point before the others. It replaces a point that has moved on from the last bend.
 void put_first(SpaceRoute& route, const SpaceRoutePoint& point) {
   if (route.is_moved)
     route.points.front() = point;

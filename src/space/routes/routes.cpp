@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kRoutesAround = 5.0;  // radii: routes lead so far around all boxes
 constexpr int kRests = 5;              // steps before a robot searches again for what it lost
-constexpr double kAsShort = 1.01;      // of another route: a clear one that is no longer stays
-constexpr double kLeavesLane = 1.0;    // rad: a robot that has turned off by more is in a jam
+// of another route: a clear route that is no longer than it stays
+constexpr double kAsShort = 1.01;
+constexpr double kLeavesLane = 1.0;  // rad: a robot that has turned off by more is in a jam
 
 void include_finite(const Bounds& bounds, Bounds& within) {
   const auto take = [](double value, double& low, double& high) {

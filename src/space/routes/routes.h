@@ -54,7 +54,7 @@ class SpaceRoutes {
   SpaceHeading heading(std::size_t k, const Robot& robot, Vec3 goal, double preferred_speed,
                        const PassageView& company, SpaceRoute& route,
                        HeadingScratch& scratch) const;
-  /// Whom robot k lets go first at a passage, where that guides it on that route.
+  /// The robot that robot k lets go first at a passage, where that guides robot k on that route.
   [[nodiscard]] std::optional<SpaceWait> wait(std::size_t k, const Robot& robot,
                                               const PassageView& company, const SpaceRoute& route,
                                               HeadingScratch& scratch) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A* among the places of free cells. A point takes the point before its neighbor, as if it saw that
-// point, and only a point that is settled is tested for it: Lazy Theta* of Nash, Koenig and Tovey,
-// "Lazy Theta*: Any-Angle Path Planning and Path Length Analysis in 3D", AAAI 2010.
+// point, and only a point that is settled is tested for it. This is Lazy Theta*. Nash, Koenig and
+// Tovey: "Lazy Theta*: Any-Angle Path Planning and Path Length Analysis in 3D", AAAI 2010.
 #include "space/routes/search.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace avo::space {
 namespace {
 
-constexpr int kSeesAround = 3;  // cells around a place, in which it looks for one that it sees
+constexpr int kSeesAround = 3;  // cells around a place, in which a place in sight is looked for
 constexpr int kSlides = 20;     // bisections of the last piece, to a goal that is not free
 
 class RouteSearch {

@@ -7,8 +7,8 @@
 
 namespace avo::space {
 
-/// Leaves out points of the route that its neighbors see past, and moves the others to where the
-/// route is shortest, without coming nearer to boxes. from: where it begins.
+/// Leaves out each point of the route if the points beside it see each other. Moves the others to
+/// where the route is shortest, and no nearer to boxes. from: where the route begins.
 void tighten(const Solids& solids, const SpaceRoutePoint& from, double most_room,
              std::vector<SpaceRoutePoint>& points);
 

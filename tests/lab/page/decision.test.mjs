@@ -2,7 +2,7 @@
 // Decisions as `avo explain --json` of the command line tells them, as the inspector reads and judges them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { minus, norm, parseDecision, sceneWall, violation } from "../../../lab/page/inspector/decision.ts";
+import { labelOf, minus, norm, parseDecision, violation, wallName } from "../../../lab/page/inspector/decision.ts";
 import { why } from "../../../lab/page/inspector/why.ts";
 import { avo } from "../data/native.mjs";
 
@@ -61,7 +61,11 @@ test("statuses and states in words", () => {
 test("half-planes of walls are those of the scene's walls, and only forbid where the method heeds them", () => {
   const { decision, found } = explained("doorway", 3, 9, "orca");
   const walls = [{ a: [9, 9], b: [9, 8], radius: 0 }, ...decision.walls.map(({ a, b, radius }) => ({ a: b, b: a, radius }))];
-  assert.deepEqual(decision.walls.map((_, k) => sceneWall(decision, k, walls)), decision.walls.map((_, k) => k + 1));
+  assert.deepEqual(decision.walls.map((_, k) => wallName(decision, k, walls)), decision.walls.map((_, k) => `walls.${k + 1}`));
+  assert.ok(found.cuts.some((cut) => cut.label === "obstacle 1" && cut.short === "w1"), "people read the obstacle's id");
+  assert.equal(labelOf("walls.0", decision.walls), `obstacle ${decision.walls[0].obstacle}`);
+  const moved = { ...decision, walls: [{ a: [0, 0], b: [1, 1], radius: 0, obstacle: 4 }, { a: [2, 2], b: [2, 2], radius: 1, robot: 7 }] };
+  assert.deepEqual([wallName(moved, 0, walls), wallName(moved, 1, walls)], ["obstacles.4", "robots.7"]);
   assert.ok(found.cuts.some((cut) => cut.of.startsWith("walls.") && cut.forbids));
   const own = explained("doorway", 3, 9);
   for (const plane of own.decision.wall_half_planes) {

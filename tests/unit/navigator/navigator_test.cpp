@@ -188,7 +188,7 @@ TEST(Navigator, says_why_it_waits) {
   std::string sentence;
   while (fleet.time < 20.0 && !fleet.decisions[1].wait) fleet.step();
   ASSERT_TRUE(fleet.decisions[1].wait);
-  EXPECT_EQ(fleet.decisions[1].wait->robot.value, 0u);
+  EXPECT_EQ(fleet.decisions[1].wait->neighbor, 0);
   EXPECT_EQ(fleet.decisions[1].guide, Guide::passage);
   const std::vector<Neighbor> seen{test::seen_of(fleet.bases[0].robot)};
   sentence = fleet.navigators[1].explain(fleet.bases[1].robot, seen).sentence;

@@ -807,6 +807,12 @@ AVO_C_API avo_result avo_simulation_change_robot(avo_simulation_id simulation, a
 AVO_C_API avo_result avo_simulation_set_preferred_velocity(avo_simulation_id simulation,
                                                            avo_robot_id robot,
                                                            const avo_vec2* velocity);
+/// Moves the robot from now on: after each step it has this velocity, m/s, at most its max_speed.
+/// It decides nothing, and others keep clear of it alone; null: it brakes, and then decides again.
+/// A robot in motion is not touched by it as long as the velocity changes by at most
+/// max_acceleration * time_step a step. It is refused as in change_robot.
+AVO_C_API avo_result avo_simulation_set_velocity(avo_simulation_id simulation, avo_robot_id robot,
+                                                 const avo_vec2* velocity);
 /// The same calls for `count` robots: one goal, velocity or definition for each robot. Where one of
 /// them is refused, nothing has changed. avo_simulation_add_robots() writes the ids of the robots.
 AVO_C_API avo_result avo_simulation_set_goals(avo_simulation_id simulation,
@@ -858,7 +864,7 @@ AVO_C_API avo_result avo_create_simulation_from_saved(const void* saved, size_t 
 
 /// Columns of the present generation: `count` entries each, one for each robot, by ascending id.
 /// They belong to the simulation and are valid until the next call that changes it (step, add,
-/// remove, change, set_goal, set_preferred_velocity, move_robot, restore, destroy).
+/// remove, change, set_goal, set_preferred_velocity, set_velocity, move_robot, restore, destroy).
 typedef struct avo_columns {
   size_t count;
   const avo_robot_id* id;
@@ -1087,8 +1093,8 @@ AVO_C_API bool avo_team_is_valid(avo_team_id team);
 /// Sets goals and preferred velocities of the robots for the next step: call it before each step.
 /// Robots that are gone leave the team.
 AVO_C_API avo_result avo_team_lead(avo_team_id team, avo_simulation_id simulation);
-/// The first robot of a queue goes to its own goal, the others move up. *robot: the first robot; a
-/// null id if the team is empty or not a queue.
+/// The first robot of a queue goes to its own goal, the others move up. Writes the id of the first
+/// robot: null if the team is empty or not a queue.
 AVO_C_API avo_result avo_team_serve(avo_team_id team, avo_simulation_id simulation,
                                     avo_robot_id* robot);
 /// The robots go to their own goals again, and the team is empty.
@@ -1138,7 +1144,9 @@ typedef struct avo_summary {
   int64_t arrived;               ///< robots that were ever at their goals
   int64_t collision_pairs;       ///< pairs of robots that ever overlapped and avoid each other
   int64_t one_sided_collisions;  ///< pairs in which only one robot avoids the other
-  int64_t mover_collisions;      ///< (robot, moving obstacle) pairs
+  /// the pairs among them that overlapped in a step in which that one moved
+  int64_t one_sided_collisions_in_motion;
+  int64_t mover_collisions;  ///< (robot, moving obstacle) pairs
   /// the pairs among them that overlapped in a step in which the robot moved
   int64_t mover_collisions_in_motion;
   int64_t static_collisions;    ///< robots that touched a static obstacle

@@ -46,9 +46,9 @@ typedef struct avo_space_plan {
   avo_vec3 acceleration;   ///< m/s^2, at the start of the step
   avo_plan_status status;
   avo_safety_state state;  ///< of the state before the decision
-  int32_t neighbor;        ///< if overlapping, its position in the neighbors given, or -1
-  int32_t box;             ///< or its position in the boxes given, or -1
-  int32_t mover;           ///< or its position in the movers given, or -1
+  int32_t neighbor;        ///< if overlapping, index of the neighbor, or -1, as in a simulation
+  int32_t box;             ///< or index of the box, or -1, as always in a simulation
+  int32_t mover;           ///< or index of the mover, or -1, as always in a simulation
   float depth;             ///< m: the overlap, if overlapping
   double violation;        ///< m/s, the distance from the half-spaces; 0 if optimal
   bool evading;            ///< an evasive maneuver has replaced the robot's own choice
@@ -223,7 +223,7 @@ typedef struct avo_space_timed_point {
 typedef struct avo_space_moving_obstacle_def {
   size_t size;
   avo_vec3 position;                        ///< m, at the start, or when it is added
-  avo_vec3 velocity;                        ///< m/s, likewise
+  avo_vec3 velocity;                        ///< m/s, at that time
   avo_vec3 acceleration;                    ///< m/s^2; 0 with max_speed
   double radius;                            ///< m, > 0
   double max_deviation;                     ///< m/s^2, >= 0, that robots allow for
@@ -289,15 +289,25 @@ AVO_C_API avo_result avo_space_simulation_get_robot_count(avo_space_simulation_i
 AVO_C_API avo_result avo_space_simulation_get_states(avo_space_simulation_id simulation,
                                                      avo_vec3* positions, avo_vec3* velocities,
                                                      size_t capacity);
-/// The last decision of a robot. Its `neighbor` and `mover` are the values of ids less 1, and its
-/// `box` is the position in the definition's boxes. AVO_ERROR_INVALID_ID where there is no such
-/// robot, here and below.
+/// The last decision of a robot. AVO_ERROR_INVALID_ID where there is no such robot, here and below.
 AVO_C_API avo_result avo_space_simulation_get_plan(avo_space_simulation_id simulation,
                                                    avo_robot_id robot, avo_space_plan* plan);
+/// What a robot touches, or will touch although it brakes. At most one id is not 0. The boxes of
+/// the definition are the static obstacles 1, 2, ... in its order.
+typedef struct avo_space_touched {
+  avo_robot_id robot;
+  avo_moving_obstacle_id moving_obstacle;
+  avo_obstacle_id obstacle;
+} avo_space_touched;
+/// What the robot touches by its last decision, if that is AVO_PLAN_OVERLAPPING; `depth` of its
+/// plan says how deep. All ids are 0 where the decision is another one.
+AVO_C_API avo_result avo_space_simulation_get_touched(avo_space_simulation_id simulation,
+                                                      avo_robot_id robot,
+                                                      avo_space_touched* touched);
 /// The decision that the robot makes in the next step in words, with the reason and the names of
-/// those that cause it: one or two sentences in UTF-8, with a 0 at the end. Buffer, capacity and
-/// size are those of avo_simulation_save(). Nothing moves; no other call of this simulation may run
-/// at the same time.
+/// those that cause it. It is one or two sentences in UTF-8, with a 0 at the end. Buffer, capacity
+/// and size are those of avo_simulation_save(). Nothing moves; no other call of this simulation may
+/// run at the same time.
 AVO_C_API avo_result avo_space_simulation_explain(avo_space_simulation_id simulation,
                                                   avo_robot_id robot, char* buffer, size_t capacity,
                                                   size_t* size);

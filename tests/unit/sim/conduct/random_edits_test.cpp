@@ -151,7 +151,7 @@ class Edited {
   void change() {
     const std::size_t robots = simulation_.fleet().id.size();
     const auto obstacles = simulation_.obstacles().id;
-    switch (random_.below(hosted_ ? 13 : 7)) {
+    switch (random_.below(hosted_ ? 15 : 7)) {
       case 0:
       case 1: {
         const RobotSetup robot = any_robot(scene_, random_);
@@ -184,6 +184,14 @@ class Edited {
       }
       case 12:
         return change_movers();
+      case 13:
+      case 14: {
+        const RobotId id = any_id();
+        const bool is_moved = simulation_.host_velocity(id).has_value();
+        const Vec2 velocity = simulation_.robot(id).velocity + 0.08 * random_.direction();
+        return simulation_.set_velocity(
+            id, is_moved && random_.below(2) == 0 ? std::nullopt : std::optional(velocity));
+      }
       default:
         if (obstacles.empty()) return;
         simulation_.remove_obstacle(
@@ -246,11 +254,18 @@ class Edited {
       for (std::size_t j = 0; j < k && keeps_promise(); ++j) {
         const RobotSetup& other = fleet.setup[j];
         if (!avoids(own, other) || !avoids(other, own)) continue;
+        if (is_moved(fleet.id[k]) || is_moved(fleet.id[j])) continue;  // onto a parked one, too
         EXPECT_GT(norm(center(k) - center(j)) - disc_radius(own) - disc_radius(other), -1e-9)
             << "robots " << fleet.id[j].value << " and " << fleet.id[k].value << " after "
             << simulation_.steps();
       }
     }
+  }
+
+  // The host moves it, or it brakes since the host gave it back.
+  [[nodiscard]] bool is_moved(RobotId robot) const {
+    return scene_.clock == Clock::common && !simulation_.setup(robot).parked &&
+           !simulation_.decided(robot);
   }
 
   // Everybody may be counted on: nobody was put into another one, and all is sensed as declared.

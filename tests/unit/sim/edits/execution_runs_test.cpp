@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes whose bases do not execute exactly (docs/certificate/execution.md): bodies follow the
 // references, and do not touch. The judge knows the bodies alone.
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -108,6 +109,89 @@ TEST(ExecutionRuns, bodies_touch_neither_each_other_nor_a_wall) {
       EXPECT_GE(*report.least_clearance, 0.0);
     }
   }
+}
+
+// What robots sense of others, in place of being told their references.
+const SensingModel kNoisy{.noise = {.position = 0.01, .velocity = 0.02}};
+const SensingModel kLate{
+    .noise = {.position = 0.01, .velocity = 0.02, .distribution = NoiseDistribution::uniform},
+    .delay = 1,
+    .dropped = 0.1};
+
+TEST(ExecutionRuns, bodies_that_are_sensed_with_errors_touch_neither_each_other_nor_a_wall) {
+  for (const SensingModel& sensing : {kNoisy, kLate}) {
+    for (const ExecutionModel& model : {kSluggish, kJerky}) {
+      for (const std::uint64_t seed : {1, 2}) {
+        SCOPED_TRACE(seed);
+        Scenario scene = crush(model, seed);
+        scene.sensing = sensing, scene.duration = 30.0;
+        const CheckReport report = judged(scene);
+        EXPECT_TRUE(report.safe());
+        EXPECT_EQ(report.overlaps.count, 0) << "by " << report.overlaps.worst;
+        EXPECT_EQ(report.static_contacts.count, 0) << "by " << report.static_contacts.worst;
+      }
+    }
+    Scenario drives = crush_of_drives(kWheels, 1);
+    drives.sensing = sensing;
+    EXPECT_EQ(judged(drives).overlaps.count, 0);
+  }
+}
+
+// m, of the references, at the decisions.
+double least_clearance_of_references(const Scenario& scene) {
+  Simulation simulation(scene, 1);
+  double least = 1.0;
+  while (simulation.can_step_by(scene.duration)) {
+    simulation.step();
+    std::vector<Robot> robots;
+    for (std::size_t k = 0; k < simulation.size(); ++k)
+      robots.push_back(simulation.perceive({k}).robot);
+    for (std::size_t a = 0; a < robots.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        least = std::min(least, norm(robots[a].position - robots[b].position) - robots[a].radius -
+                                    robots[b].radius);
+  }
+  return least;
+}
+
+// The errors of bodies count with those of the sensor.
+TEST(ExecutionRuns, references_overlap_where_the_errors_of_sensed_bodies_are_not_declared) {
+  Scenario scene = crush(kSluggish, 1);
+  scene.sensing = {.noise = {.position = 1e-6}};
+  EXPECT_GE(least_clearance_of_references(scene), -1e-9);
+  scene.sensing_error = SensingError{1e-5, 1e-5};
+  EXPECT_LT(least_clearance_of_references(scene), -0.01);
+}
+
+TEST(ExecutionRuns, declare_how_far_bodies_are_from_their_references) {
+  Scenario scene = crush(kSluggish, 1);
+  EXPECT_EQ(declared_error(scene), SensingError{}) << "they tell their references";
+  scene.sensing = kLate;
+  Robot strongest;
+  strongest.max_acceleration = scene.robots.front().max_acceleration;
+  strongest.max_speed = 2.0;
+  const ExecutionError off = execution_error(kSluggish, strongest, scene.time_step);
+  const double late = scene.time_step;  // s
+  EXPECT_NEAR(declared_error(scene).velocity,
+              0.02 * std::numbers::sqrt2 + off.velocity + late * strongest.max_acceleration, 1e-9);
+  EXPECT_NEAR(declared_error(scene).position,
+              0.01 * std::numbers::sqrt2 + off.position +
+                  late * (0.02 * std::numbers::sqrt2 + off.velocity) +
+                  0.5 * late * late * strongest.max_acceleration,
+              1e-9);
+  Simulation simulation(scene, 1);
+  EXPECT_EQ(simulation.planner().options().sensing_error, declared_error(scene));
+  RobotSetup stronger = scene.robots[0];
+  stronger.position = {0.0, 20.0}, stronger.max_acceleration = 1.5;
+  EXPECT_EQ(refusal([&] { simulation.add_robot(stronger); }).find("robot 20: sensing_error"), 0U);
+  stronger.max_acceleration = 1.0;
+  EXPECT_EQ(refusal([&] { simulation.add_robot(stronger); }), "");
+  for (int k = 0; k < 30; ++k) simulation.step();
+  EXPECT_NE(simulation.perceive({3}).neighbors.front().position,
+            simulation.perceive({3}).robot.position);
+  Simulation other(simulation.save(), 2);
+  for (int k = 0; k < 30; ++k) simulation.step(), other.step();
+  EXPECT_EQ(simulation.state_hash(), other.state_hash());
 }
 
 TEST(ExecutionRuns, bodies_touch_where_no_error_is_declared) {

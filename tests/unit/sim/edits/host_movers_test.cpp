@@ -112,6 +112,19 @@ TEST(HostMovers, is_refused_movers_that_nobody_could_evade) {
             "moving obstacle 3: found none of that id");
 }
 
+TEST(HostMovers, are_named_by_their_ids_where_a_start_is_refused) {
+  Simulation simulation(two_lanes(), 1);
+  const MovingObstacleId first = simulation.add_moving_obstacle({.position = {0, 50}});
+  const MovingObstacleId second = simulation.add_moving_obstacle({.position = {0, 60}});
+  simulation.remove_moving_obstacle(first);
+  RobotSetup robot = simulation.setup({0});
+  robot.position = {0, 60.2};
+  const std::string refused = refusal([&] { simulation.add_robot(robot); });
+  EXPECT_NE(refused.find("moving obstacle " + std::to_string(second.value) + " overlap"),
+            std::string::npos)
+      << refused;
+}
+
 // As a scene with them from the start.
 TEST(HostMovers, adds_movers_as_a_scene_has_them) {
   Scenario scene = two_lanes();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The host parks robots that stand, and sets parked robots free.
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -46,6 +47,36 @@ TEST(Parking, makes_a_wall_of_a_robot_and_back) {
   judged.run(17.0);
   EXPECT_TRUE(simulation.all_at_goal());
   EXPECT_TRUE(judged.report().safe());
+}
+
+// Walls are known by the ids of their obstacles and parked robots, also where lists have changed.
+TEST(Parking, names_the_walls_that_a_robot_sees) {
+  Scenario scene;
+  const Chain square{{{0, 2}, {1, 2}, {1, 3}, {0, 3}}, true};
+  scene.obstacles = {{.chains = {{{{-3, -3}, {3, -3}}}}}, {.chains = {square}, .layers = {2}}};
+  for (const double x : {-2.0, 0.0, 2.0}) scene.robots.push_back(robot_at({x, 0}, {x, 0}));
+  scene.robots[0].parked = true;
+  Simulation simulation(scene, 1);
+  using Sources = std::vector<std::int64_t>;
+  EXPECT_EQ(simulation.perceive({1}).wall_source, (Sources{0, -1}));
+  simulation.remove_obstacle({0});
+  simulation.remove_robot({0});
+  park(simulation, 2, true);
+  const ObstacleId disc = simulation.add_obstacle({.chains = {{{{0, -3}}}}, .radius = 0.5});
+  RobotSetup upper = robot_at({0, -9}, {0, -9});
+  upper.layers = {2};
+  const RobotId above = simulation.add_robot(upper);
+  simulation.move_robot({1}, {0, -0.5});
+  const Simulation::Perception seen = simulation.perceive({1});
+  EXPECT_EQ(disc.value, 2U);
+  EXPECT_EQ(seen.wall_source, (Sources{2, -3}));
+  ASSERT_EQ(seen.walls.size(), 2U);
+  EXPECT_EQ(seen.walls[0].a, (Vec2{0, -3}));
+  EXPECT_EQ(seen.walls[1].a, (Vec2{2, 0})) << "the disc of robot 2";
+  simulation.remove_obstacle(disc);
+  simulation.move_robot(above, {0, 0.9});
+  simulation.move_robot({1}, {0, -4});
+  EXPECT_EQ(simulation.perceive(above).wall_source, (Sources{1, 1, 1, 1, -3}));
 }
 
 TEST(Parking, is_refused_in_motion_and_where_another_one_could_not_stop) {

@@ -41,8 +41,8 @@ TEST(Assumptions, head_on_is_accepted_up_to_the_last_millimeter) {
     const BrokenAssumptions broken = broken_assumptions(head_on(needed - 1e-3, kind));
     ASSERT_EQ(broken.start_count, 1);
     ASSERT_EQ(broken.starts.size(), 1U);
-    EXPECT_EQ(broken.starts[0].robot, 0);
-    EXPECT_EQ(broken.starts[0].other, 1);
+    EXPECT_EQ(broken.starts[0].robot, RobotId{0});
+    EXPECT_EQ(broken.starts[0].other, BodyId(RobotId{1}));
     EXPECT_DOUBLE_EQ(broken.starts[0].distance, needed - 1e-3);
     EXPECT_NEAR(broken.starts[0].depth, 1e-3, 1e-9);
     EXPECT_EQ(broken.fast_count, 0);
@@ -102,8 +102,8 @@ TEST(Assumptions, a_mover_counts_while_the_robot_brakes) {
   scene.moving_obstacles[0].position.x -= 1e-3;
   const BrokenAssumptions broken = broken_assumptions(scene);
   ASSERT_EQ(broken.start_count, 1);
-  EXPECT_EQ(broken.starts[0].robot, 0);
-  EXPECT_EQ(broken.starts[0].other, -1);
+  EXPECT_EQ(broken.starts[0].robot, RobotId{0});
+  EXPECT_EQ(broken.starts[0].other, BodyId(MovingObstacleId{0}));
   EXPECT_NEAR(broken.starts[0].depth, 1e-3, 1e-9);
   // a robot at rest is touched without its doing, but must not overlap at the start
   scene.robots[0].velocity = {};
@@ -154,9 +154,9 @@ TEST(Assumptions, speeds_beyond_the_limit_worst_first) {
   const BrokenAssumptions broken = broken_assumptions(scene);
   EXPECT_EQ(broken.fast_count, 4);
   ASSERT_EQ(broken.fast.size(), 3U);
-  EXPECT_EQ(broken.fast[0].robot, 7);
-  EXPECT_EQ(broken.fast[1].robot, 5);
-  EXPECT_EQ(broken.fast[2].robot, 3);
+  EXPECT_EQ(broken.fast[0].robot, RobotId{7});
+  EXPECT_EQ(broken.fast[1].robot, RobotId{5});
+  EXPECT_EQ(broken.fast[2].robot, RobotId{3});
   EXPECT_DOUBLE_EQ(broken.fast[0].speed, 2.7);
   EXPECT_EQ(broken.start_count, 0);
   for (RobotSetup& robot : scene.robots) robot.velocity = {1.2, 1.6};  // 2 m/s up to rounding

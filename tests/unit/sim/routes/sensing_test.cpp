@@ -31,8 +31,8 @@ TEST(SensingNeed, radii_a_step_and_braking_of_the_two_that_need_most) {
   const BrokenAssumptions broken = broken_assumptions(scene);
   EXPECT_EQ(broken.start_count + broken.fast_count, 0);
   ASSERT_TRUE(broken.unseen);
-  EXPECT_EQ(broken.unseen->robot, 0);
-  EXPECT_EQ(broken.unseen->other, 1);
+  EXPECT_EQ(broken.unseen->robot, RobotId{0});
+  EXPECT_EQ(broken.unseen->other, BodyId(RobotId{1}));
   EXPECT_DOUBLE_EQ(broken.unseen->robot_part, 2.7);
   EXPECT_DOUBLE_EQ(broken.unseen->other_part, 2.7);
 
@@ -43,8 +43,8 @@ TEST(SensingNeed, radii_a_step_and_braking_of_the_two_that_need_most) {
   }
   scene.robots[0].radius = 0.3;
   const SensingNeed need = *sensing_need(scene);  // 0.5 + 0.3 + 4.5 of robot 3
-  EXPECT_EQ(need.robot, 1);
-  EXPECT_EQ(need.other, 3);
+  EXPECT_EQ(need.robot, RobotId{1});
+  EXPECT_EQ(need.other, BodyId(RobotId{3}));
   EXPECT_DOUBLE_EQ(need.robot_part, 2.7);
   EXPECT_DOUBLE_EQ(need.other_part, 5.3);
 }
@@ -60,7 +60,7 @@ TEST(SensingNeed, one_robot_needs_to_see_nobody_but_obstacles) {
                             {{90.0, 0.0}, {-0.6, 0.0}, {-0.1, 0.0}, 0.4},   // 1.6 m/s at last
                             {{90.0, 50.0}, {2.0, 0.0}, {-0.1, 0.0}, 0.4}};  // 2 m/s at first
   const SensingNeed need = *sensing_need(scene);  // for one step and 21 of braking
-  EXPECT_EQ(need.other, -3);
+  EXPECT_EQ(need.other, BodyId(MovingObstacleId{2}));
   EXPECT_DOUBLE_EQ(need.robot_part, 2.7);
   EXPECT_DOUBLE_EQ(need.other_part, 0.4 + 2.2 * 2.0 + 0.05 * 2.2 * 2.2);
   scene.moving_obstacles.pop_back();

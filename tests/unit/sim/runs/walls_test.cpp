@@ -234,15 +234,15 @@ TEST(WallStarts, those_too_near_or_too_fast_are_told) {
   const BrokenAssumptions broken = broken_assumptions(scene);
   ASSERT_EQ(broken.beside_count, 3);
   EXPECT_FALSE(broken.none());
-  EXPECT_EQ(broken.beside[0].robot, 1);
+  EXPECT_EQ(broken.beside[0].robot, RobotId{1});
   EXPECT_DOUBLE_EQ(broken.beside[0].distance, 1.5);
   EXPECT_NEAR(broken.beside[0].kept, 1.5 - 1.6 * 1.6 / 2.0, 0.01);
-  EXPECT_EQ(broken.beside[1].robot, 3);
+  EXPECT_EQ(broken.beside[1].robot, RobotId{3});
   EXPECT_DOUBLE_EQ(broken.beside[1].distance, 0.3);
   EXPECT_NEAR(broken.beside[1].required, 0.5, 1e-9);
   EXPECT_GT(broken.beside[1].required, 0.5);
-  EXPECT_EQ(broken.beside[2].robot, 4);
-  EXPECT_EQ(broken.beside[2].obstacle, 1);
+  EXPECT_EQ(broken.beside[2].robot, RobotId{4});
+  EXPECT_EQ(broken.beside[2].obstacle, ObstacleId{1});
 }
 
 TEST(WallStarts, solids_and_bounds_have_an_inside) {
@@ -252,11 +252,12 @@ TEST(WallStarts, solids_and_bounds_have_an_inside) {
   Scenario scene;
   scene.obstacles = {{{square(-20.0, 20.0)}, 0.0, Fill::bounds},
                      {{square(-10.0, 10.0), square(-5.0, 5.0)}, 0.0, Fill::solid}};
-  const auto misplaced = [&scene](Vec2 p) {
+  const auto misplaced = [&scene](Vec2 p) -> int {
     scene.robots = {robot_at(p, p)};
     const BrokenAssumptions broken = broken_assumptions(scene);
     EXPECT_EQ(broken.beside_count, 0);
-    return broken.misplaced_count == 0 ? -1 : broken.misplaced.front().obstacle;
+    if (broken.misplaced_count == 0) return -1;
+    return static_cast<int>(broken.misplaced.front().obstacle.value);
   };
   EXPECT_EQ(misplaced({15.0, 0.0}), -1);
   EXPECT_EQ(misplaced({25.0, 0.0}), 0);
