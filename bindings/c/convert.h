@@ -85,6 +85,8 @@ avo::Team team_of(const avo_team_def& def, const Where& where);
 avo_team_def def_of(const avo::Team& team, std::vector<avo_robot_id>& robots);
 
 avo::SensingModel sensing_of(const avo_sensing_model& sensing);
+avo::LocalizationNoise localization_of(const avo_localization_noise& noise);
+avo_localization_noise to_c(const avo::LocalizationNoise& noise);
 avo_sensing_model to_c(const avo::SensingModel& sensing);
 /// None where both are NaN.
 std::optional<avo::SensingError> error_of(const avo_sensing_error& error);

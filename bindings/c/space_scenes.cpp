@@ -114,6 +114,7 @@ avo::space::Scenario scenario_of(const avo_space_simulation_def& def) {
   avo::space::Scenario scenario;
   take_members(def, scenario, {}, for_each_space_setting);
   scenario.sensing = sensing_of(def.sensing);
+  scenario.sensing.localization = localization_of(def.localization);
   scenario.sensing_error = error_of(def.sensing_error);
   scenario.duration = std::max(scenario.duration, def.time_step);
   for_each(def.robots, def.robot_count, "robots", avo_default_space_robot_def(),
@@ -153,6 +154,7 @@ avo_space_simulation_def avo_default_space_simulation_def(void) {
   def.size = sizeof def;
   give_members(avo::space::Scenario{}, def, for_each_space_setting);
   def.sensing = to_c(avo::SensingModel{});
+  def.localization = to_c(avo::LocalizationNoise{});
   def.sensing_error = to_c(std::optional<avo::SensingError>{});
   return def;
 }

@@ -21,17 +21,6 @@ std::vector<avo::TimedPlace> places_of(const avo_timed_place* places, std::size_
   return result;
 }
 
-avo::LocalizationNoise localization_of(const avo_localization_noise& noise) {
-  return {noise.position,
-          word<avo::NoiseDistribution>(noise.distribution, 2, {"localization"}, "distribution"),
-          unless_zero(noise.truncated)};
-}
-
-avo_localization_noise to_c(const avo::LocalizationNoise& noise) {
-  return {noise.position, noise.truncated.value_or(0.0),
-          static_cast<avo_noise_distribution>(noise.distribution)};
-}
-
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 // The members of a definition and of a scene, except for texts and parts.
@@ -90,6 +79,17 @@ void read_settings(const avo_simulation_def& def, avo::Scenario& scenario) {
 }
 
 }  // namespace
+
+avo::LocalizationNoise localization_of(const avo_localization_noise& noise) {
+  return {noise.position,
+          word<avo::NoiseDistribution>(noise.distribution, 2, {"localization"}, "distribution"),
+          unless_zero(noise.truncated)};
+}
+
+avo_localization_noise to_c(const avo::LocalizationNoise& noise) {
+  return {noise.position, noise.truncated.value_or(0.0),
+          static_cast<avo_noise_distribution>(noise.distribution)};
+}
 
 avo::SensingModel sensing_of(const avo_sensing_model& sensing) {
   avo::SensingModel result;

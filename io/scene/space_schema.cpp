@@ -65,8 +65,8 @@ Json space_obstacle_schema(const Json& plane_obstacles) {
 
 Json space_definitions(const Json& plane_obstacles) {
   Json sensing = map_schema(fields<avo::SensingModel>(),
-                            {{"noise", map_schema(fields<avo::MeasurementNoise>())}});
-  sensing["properties"].erase("localization");
+                            {{"noise", map_schema(fields<avo::MeasurementNoise>())},
+                             {"localization", map_schema(fields<avo::LocalizationNoise>())}});
   Json scene = map_schema(fields<avo::space::Scenario>(),
                           {{"version", {{"const", 1}}},
                            {"space", {{"const", 3}}},

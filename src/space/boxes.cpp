@@ -120,15 +120,21 @@ double height_of(const Path& path) {
   return norm(middle - part * chord);
 }
 
+// m: where the chord keeps so much, no point inside of the step's triangle is nearer to the box
+// than `least`. The box may be elsewhere by `lost`.
+double kept_by_chord(const Path& path, double least, double lost) {
+  const double height = height_of(path), true_least = least - lost;
+  return std::sqrt(true_least * true_least + height * height) + lost;
+}
+
 // Whether no point of the step's triangle is nearer to the box than `least`, where its sides are
 // not.
-bool keeps_inside(const Path& path, const NearestToBox& chord, double least) {
+bool keeps_inside(const Path& path, const NearestToBox& chord, double least, double lost) {
   if (chord.distance > 0.0) {
     const Vec3 normal = (chord.on_segment - chord.on_box) / chord.distance;
     if (dot(normal, path.middle - chord.on_box) >= least) return true;
   }
-  const double height = height_of(path);
-  return chord.distance >= std::sqrt(least * least + height * height);
+  return chord.distance >= kept_by_chord(path, least, lost);
 }
 
 /// The part of a path that comes too near to a box, and where.
@@ -138,8 +144,22 @@ struct TooNear {
   bool brakes = false;  ///< the part is the braking after the step
 };
 
+// Returns whether each point of the path is at least as far from the box as the point of braking at
+// the same time. It holds for all possible places of the robot (docs/certificate/walls.md, "Errors
+// of one's own place").
+bool leaves_box(const NearBox& near, const Path& path, const BoxConstraints& boxes) {
+  if (!(near.cone < 1.0)) return false;
+  const auto gained = [&](Vec3 from_braking) {
+    return dot(near.normal, from_braking) - near.cone * norm(from_braking);
+  };
+  return gained(path.first - boxes.first) >= near.margin &&
+         gained(path.end - boxes.stop) >= near.margin;
+}
+
 // docs/space.md, "Boxes", (a), (b), (b').
-std::optional<TooNear> too_near(const NearBox& near, const Path& path) {
+std::optional<TooNear> too_near(const NearBox& near, const Path& path,
+                                const BoxConstraints& boxes) {
+  if (leaves_box(near, path, boxes)) return std::nullopt;
   const double after = near.held + near.margin, within = near.held + 0.5 * near.margin;
   const NearestToBox braking = nearest(path.first, path.end, near.box);
   if (!(braking.distance >= after)) return TooNear{braking, after, true};
@@ -147,10 +167,8 @@ std::optional<TooNear> too_near(const NearBox& near, const Path& path) {
   if (!(chord.distance >= within)) return TooNear{chord, within, false};
   const NearestToBox side = nearest(path.middle, path.first, near.box);
   if (!(side.distance >= within)) return TooNear{side, within, false};
-  if (!keeps_inside(path, chord, within)) {
-    const double height = height_of(path);
-    return TooNear{chord, std::sqrt(within * within + height * height), false};
-  }
+  if (!keeps_inside(path, chord, within, near.lost))
+    return TooNear{chord, kept_by_chord(path, within, near.lost), false};
   return std::nullopt;
 }
 
@@ -180,7 +198,33 @@ std::optional<HalfSpace> cut_of(const Robot& robot, const TooNear& worst, Vec3 n
   return HalfSpace{gradient / length, (dot(gradient, v) + missing) / length};
 }
 
+// A half-space in the robot's own space, in which most velocities leave the box.
+HalfSpace cut_towards(const Robot& robot, const NearBox& near, Vec3 next_velocity,
+                      const StepLaw& law, const BoxConstraints& boxes) {
+  constexpr double kMoreThanRounding = 1.0 + 0x1p-20;
+  const double least =
+      near.cone * norm(next_velocity - boxes.backup) + near.margin / (law.time_step - law.lag);
+  const double offset = dot(near.normal, boxes.backup) + kMoreThanRounding * least;
+  return to_own(HalfSpace{near.normal, offset}, robot.vertical);
+}
+
+// The distance held by a robot that does not know exactly where it is. Within the error, braking is
+// assumed to keep clear, as it does if it has done so before.
+void hold_lost(NearBox& near, const NearestToBox& braking, double contact, double lost) {
+  near.held = contact + lost, near.lost = lost;
+  if (!(braking.distance > 0.0)) return;
+  near.normal = (braking.on_segment - braking.on_box) / braking.distance;
+  near.cone = 2.0 * lost / (contact + braking.distance);
+}
+
 }  // namespace
+
+Box moved(const Box& box, Vec3 by) {
+  const Vec3 in_box = BoxFrame(box).in(by);
+  Box there = box;
+  there.min = there.min + in_box, there.max = there.max + in_box;
+  return there;
+}
 
 NearestToBox nearest(Vec3 a, Vec3 b, const Box& box) {
   const BoxFrame frame(box);
@@ -205,12 +249,15 @@ void begin_boxes(const Robot& robot, std::span<const Box> boxes, const StepLaw& 
                  BoxConstraints& constraints) {
   constraints.near.clear();
   constraints.broken = constraints.tight = {};
-  constraints.must_brake = false;
+  constraints.must_brake = constraints.doubtful = false;
   if (boxes.empty()) return;
   constraints.middle = robot.position + law.lag * robot.velocity;
   constraints.stop = robot.position + stopping_vector(robot, robot.velocity, law);
   constraints.backup = backup_velocity(robot, law);
-  const Stopping stopping = stopping_of(robot, law);
+  constraints.first = constraints.middle + (law.time_step - law.lag) * constraints.backup;
+  const double lost = law.localization_error;
+  Stopping stopping = stopping_of(robot, law);
+  stopping.lengths += lost;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const Box& box = boxes[k];
     const double contact = robot.radius + box.radius;
@@ -224,9 +271,14 @@ void begin_boxes(const Robot& robot, std::span<const Box> boxes, const StepLaw& 
       constraints.tight.take(static_cast<int>(k), contact + margin);
       continue;
     }
-    const double kept = nearest(robot.position, constraints.stop, box).distance;
-    if (kept < contact + 0.5 * margin) near.held = kept, near.margin = 0.0;
-    constraints.broken.take(static_cast<int>(k), contact - kept);
+    const NearestToBox braking = nearest(robot.position, constraints.stop, box);
+    const double kept = braking.distance;
+    if (lost > 0.0 && kept >= contact - lost)
+      hold_lost(near, braking, contact, lost);
+    else if (kept < contact + 0.5 * margin)
+      near.held = kept, near.margin = 0.0;
+    constraints.doubtful = constraints.doubtful || (lost > 0.0 && kept < contact + lost);
+    constraints.broken.take(static_cast<int>(k), contact - lost - kept);
     constraints.tight.take(static_cast<int>(k), contact + margin - kept);
     constraints.must_brake = constraints.must_brake || (kept == 0.0 && !(robot.velocity == Vec3{}));
     constraints.near.push_back(near);
@@ -238,8 +290,9 @@ bool keeps_boxes(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
   if (constraints.near.empty() || next_velocity == constraints.backup) return true;
   if (constraints.must_brake) return false;
   const Path path = path_of(robot, next_velocity, law, constraints);
-  return std::none_of(constraints.near.begin(), constraints.near.end(),
-                      [&](const NearBox& near) { return too_near(near, path).has_value(); });
+  return std::none_of(constraints.near.begin(), constraints.near.end(), [&](const NearBox& near) {
+    return too_near(near, path, constraints).has_value();
+  });
 }
 
 void append_box_cuts(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
@@ -247,8 +300,14 @@ void append_box_cuts(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
   if (constraints.near.empty() || constraints.must_brake) return;
   const Path path = path_of(robot, next_velocity, law, constraints);
   for (const NearBox& near : constraints.near) {
-    const std::optional<TooNear> worst = too_near(near, path);
+    const std::optional<TooNear> worst = too_near(near, path, constraints);
     if (!worst) continue;
+    const bool is_lost = near.cone < 1.0;
+    if (is_lost &&
+        nearest(robot.position, constraints.stop, near.box).distance < near.held + near.margin) {
+      cuts.push_back(cut_towards(robot, near, next_velocity, law, constraints));
+      continue;
+    }
     if (const std::optional<HalfSpace> cut = cut_of(robot, *worst, next_velocity, law))
       cuts.push_back(*cut);
   }
@@ -259,7 +318,7 @@ void append_speed_planes(const Robot& robot, std::span<const Box> boxes, const S
   const double reach = box_reach(robot, law);
   for (const Box& box : boxes) {
     const NearestToBox at = nearest(robot.position, robot.position, box);
-    const double gap = at.distance - robot.radius - box.radius;
+    const double gap = at.distance - robot.radius - box.radius - law.localization_error;
     if (!(gap < reach) || !(at.distance > 0.0)) continue;
     const Vec3 normal = (at.on_segment - at.on_box) / at.distance;
     const double braking = planned_braking(robot) / own_length(normal, robot.vertical);

@@ -262,7 +262,7 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
   tell_contact(decision, around, plan);
   const Constraints& constraints = scratch.choice.constraints;
   const bool keeps_clear = !constraints.invariant.doubtful && !constraints.invariant.unknown &&
-                           !constraints.boxes.broken.any();
+                           !constraints.boxes.broken.any() && !constraints.boxes.doubtful;
   if (is_certified && keeps_clear && plan.mover < 0) plan.state = SafetyState::safe;
   detour.acceleration = plan.acceleration;
   return plan;

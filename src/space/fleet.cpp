@@ -99,12 +99,13 @@ ObstacleId SpaceFleet::obstacle_of(std::size_t box) const {
 
 void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
   const Vec3 place = robots[k].position;
+  worker.lost = senses.own_error(k);
   worker.boxes.clear();
   worker.box_ids.clear();
   for (std::size_t b = 0; b < scenario.boxes.size(); ++b) {
     const Box& box = scenario.boxes[b];
     if (nearest(place, place, box).distance - box.radius > trips[k].box_range) continue;
-    worker.boxes.push_back(box);
+    worker.boxes.push_back(senses.know_places() ? box : moved(box, -worker.lost));
     worker.box_ids.push_back(obstacle_of(b));
   }
 }
@@ -127,25 +128,41 @@ Guide SpaceFleet::head_for_goal(std::size_t k, std::span<const Neighbor> company
                                 const Travelling& own, SpaceWorker& worker) const {
   Robot& robot = own.robot;
   const double speed = trips[k].preferred_speed;
-  const SpaceHeading heading =
-      routes.heading(k, robot, trips[k].goal, speed, view_of(k, company), own.route, worker.routes);
+  const SpaceHeading heading = heading_of(k, company, own, worker);
   robot.distance_to_goal = heading.left;
   SpaceAtSharedGoal at;
   if (shares_goal(k) && heading.guide != Guide::passage) at = near_goal(k, company, own, worker);
   own.detour.goal_taken = at.is_taken, own.has_stood = at.has_stood ? 1 : 0;
-  robot.preferred_velocity = at.has_place
-                                 ? preferred_velocity(robot, at.place, speed, landing)
-                                 : preferred_velocity(robot, heading.goal, heading.speed, landing);
+  robot.preferred_velocity =
+      at.has_place ? preferred_velocity(robot, at.place, speed, landing)
+                   : preferred_velocity(robot, heading.goal - worker.lost, heading.speed, landing);
   return at.has_place ? Guide::place : heading.guide;
+}
+
+// Routes are on the map, where the robot takes itself to be at its place with an error.
+SpaceHeading SpaceFleet::heading_of(std::size_t k, std::span<const Neighbor> company,
+                                    const Travelling& own, SpaceWorker& worker) const {
+  const double speed = trips[k].preferred_speed;
+  const auto heading = [&](const Robot& robot, std::span<const Neighbor> others) {
+    return routes.heading(k, robot, trips[k].goal, speed, view_of(k, others), own.route,
+                          worker.routes);
+  };
+  if (senses.know_places()) return heading(own.robot, company);
+  Robot there = own.robot;
+  there.position = there.position + worker.lost;
+  worker.on_map.assign(company.begin(), company.end());
+  for (Neighbor& other : worker.on_map) other.position = other.position + worker.lost;
+  return heading(there, worker.on_map);
 }
 
 SpaceAtSharedGoal SpaceFleet::near_goal(std::size_t k, std::span<const Neighbor> company,
                                         const Travelling& own, SpaceWorker& worker) const {
   const Robot& robot = own.robot;
-  const Vec3 goal = trips[k].goal;
+  const Vec3 goal = trips[k].goal - worker.lost;
   const SpaceRoute* known = routes.route(k);
   const bool is_kept_out = known != nullptr && !known->reaches;
-  if (is_kept_out || routes.is_behind_box(k, robot.position, goal)) return {};
+  if (is_kept_out || routes.is_behind_box(k, robot.position + worker.lost, trips[k].goal))
+    return {};
   const SpaceSeeker seeker{
       .position = robot.position,
       .goal = goal,

@@ -30,12 +30,13 @@ namespace avo::space {
 struct AVO_LOCAL SpaceWorker {
   PlanWorkspace::Scratch scratch;
   SpaceCells::Runs runs{};
-  std::vector<Box> boxes;
+  std::vector<Box> boxes;  // as the robot sees them
+  Vec3 lost;               // m, by which it errs in its own place
   std::vector<Mover> movers;
   std::vector<ObstacleId> box_ids;          // of the boxes
   std::vector<MovingObstacleId> mover_ids;  // of the movers
   HeadingScratch routes;
-  std::vector<Neighbor> neighbors;
+  std::vector<Neighbor> neighbors, on_map;  // where they are, and where the robot takes them to be
   SpaceOccupied occupied;
 };
 
@@ -106,7 +107,7 @@ struct AVO_LOCAL SpaceFleet {
   [[nodiscard]] ObstacleId obstacle_of(std::size_t box) const;
   /// Puts ids in the place of the lists of one decision.
   void name_touched(std::size_t k, const SpaceWorker& worker);
-  /// The boxes that matter to a robot.
+  /// The boxes that matter to a robot, where it sees them.
   void find_boxes(std::size_t k, SpaceWorker& worker) const;
   /// Sets the preferred velocity of robot k: along its route, where boxes are in between.
   void head_for_goal(std::size_t k, const BodiesAround& around, SpaceWorker& worker);
@@ -116,6 +117,9 @@ struct AVO_LOCAL SpaceFleet {
   /// Sets the preferred velocity of a robot with the state of robot k. Returns what guides it.
   Guide head_for_goal(std::size_t k, std::span<const Neighbor> company, const Travelling& own,
                       SpaceWorker& worker) const;
+  /// On the map, where a robot with the state of robot k heads for along its route.
+  SpaceHeading heading_of(std::size_t k, std::span<const Neighbor> company, const Travelling& own,
+                          SpaceWorker& worker) const;
   /// Where a robot with the state of robot k heads for that shares its goal. Where that is its
   /// route, it has no place.
   SpaceAtSharedGoal near_goal(std::size_t k, std::span<const Neighbor> company,

@@ -3,6 +3,7 @@
 // robot moves.
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "space/fleet.h"
@@ -51,12 +52,15 @@ Simulation::Perception SpaceFleet::perceive(std::size_t k) {
   }
   SpaceRoute route = routes.memory(k);
   const double yielded = route.yielded;
-  const PassageView company = view_of(k, seen.neighbors);
   std::uint8_t stood = has_stood[k];
   seen.guide = head_for_goal(k, seen.neighbors, {seen.robot, route, seen.detour, stood}, worker);
   if (seen.guide != Guide::passage) return seen;
   route.yielded = yielded;
-  if (const auto wait = routes.wait(k, seen.robot, company, route, worker.routes))
+  Robot there = seen.robot;
+  there.position = there.position + worker.lost;
+  const PassageView company =
+      view_of(k, senses.know_places() ? std::span<const Neighbor>(seen.neighbors) : worker.on_map);
+  if (const auto wait = routes.wait(k, there, company, route, worker.routes))
     seen.wait = {wait->passage,
                  wait->is_claim ? RobotId{wait->robot} : seen.neighbor_ids[wait->robot],
                  wait->inside};

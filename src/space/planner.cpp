@@ -129,7 +129,8 @@ double reach_of(const Robot& robot, const StepLaw& law) {
 }  // namespace
 
 double box_range(const Robot& robot, const PlannerOptions& options) {
-  return (1.0 + 1e-9) * box_reach(robot, checked_law(options));
+  // from where the robot takes itself to be
+  return (1.0 + 1e-9) * box_reach(robot, checked_law(options)) + 2.0 * options.localization_error;
 }
 
 double sensing_range(const Robot& robot, const Mover& mover, const PlannerOptions& options) {

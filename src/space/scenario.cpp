@@ -34,6 +34,7 @@ PlannerOptions planner_options(const Scenario& scenario) {
   if (options.certificate == Certificate::braking_trajectories)
     options.sensing_error =
         scenario.sensing_error ? *scenario.sensing_error : declared_error(scenario);
+  options.localization_error = most_lost(scenario.sensing.localization);
   options.max_neighbors = scenario.max_neighbors;
   options.arrival_distance = scenario.arrival_distance;
   options.never_swerves = scenario.never_swerves;
@@ -119,14 +120,6 @@ double needed_radius(const Scenario& scenario, const PlannerOptions& options) {
   const double contact = 2.0 * largest.radius + largest.downwash;
   const double evading = 2.0 * std::sqrt(contact / plane.max_acceleration);
   return std::max(radius, contact + 2.0 * largest.max_speed * evading);
-}
-
-// Robots of space know their own place.
-void check_sensing_in_space(const SensingModel& sensing) {
-  check_sensing(sensing);
-  if (sensing.localization.position > 0.0)
-    refuse("sensing.localization", text(sensing.localization.position) + " m",
-           "left out in a scene of space");
 }
 
 void check_robot(const RobotSetup& robot, std::size_t k) {
@@ -234,7 +227,7 @@ void check_boxes(std::span<const Box> boxes) {
 
 void validate(const Scenario& scenario) {
   require_ranges(scenario, Behind{});
-  check_sensing_in_space(scenario.sensing);
+  check_sensing(scenario.sensing);
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) check_robot(scenario.robots[k], k);
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     if (scenario.robots[k].quadrotor) check_quadrotor(scenario.robots[k], k, scenario.motion);

@@ -16,12 +16,31 @@ bool is_in_sight(Vec3 from, Vec3 to, std::span<const Box> boxes) {
                      [&](const Box& box) { return nearest(from, to, box).distance > box.radius; });
 }
 
+MeasurementNoise as_measured(const LocalizationNoise& model) {
+  return {model.position, 0.0, model.distribution, model.truncated};
+}
+
+// Of three coordinates, and their rounding, in units of the scene's value.
+double most_of_three(const MeasurementNoise& noise) {
+  return std::sqrt(3.0) * (1.0 + 0x1p-40) * most_of_coordinate(noise);
+}
+
 }  // namespace
+
+double most_lost(const LocalizationNoise& model) {
+  return most_of_three(as_measured(model)) * model.position;
+}
+
+Vec3 Senses::own_error(std::size_t robot) const {
+  if (know_places()) return {};
+  Draws numbers(Draws::key_of(seed, step, robot), robot);
+  const auto drawn = noise<3>(as_measured(model.localization), numbers);
+  return model.localization.position * Vec3{drawn[0], drawn[1], drawn[2]};
+}
 
 SensingError declared_error(const Scenario& scenario) {
   const MeasurementNoise& noise = scenario.sensing.noise;
-  // three coordinates, and their rounding
-  const double most = std::sqrt(3.0) * (1.0 + 0x1p-40) * most_of_coordinate(noise);
+  const double most = most_of_three(noise);
   SensingError error{most * noise.position, most * noise.velocity};
   if (scenario.sensing.delay == 0) return error;
   double change = 0.0;  // m/s^2
@@ -46,7 +65,9 @@ Senses senses_of(const Scenario& scenario) {
                 .seed = scenario.seed,
                 .time_step = scenario.time_step,
                 .radius = sensing_radius_of(scenario)};
-  if (!model.is_exact())
+  SensingModel of_others = model;
+  of_others.localization = {};
+  if (!of_others.is_exact())
     senses.robots.depth = senses.movers.depth =
         1 + static_cast<std::size_t>(model.delay) + (model.misses() ? kMostCarried : 0);
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) senses.robots.add(0);

@@ -52,12 +52,19 @@ struct Senses {
   PastStates movers = {};
   std::int64_t step = 0;  // the present one
 
+  /// Whether others are sensed exactly.
   [[nodiscard]] bool are_exact() const { return robots.depth == 0; }
+  [[nodiscard]] bool know_places() const { return !(model.localization.position > 0.0); }
+  /// m: the error of the robot's own place in the present step.
+  [[nodiscard]] Vec3 own_error(std::size_t robot) const;
   /// Stores the states of the step that begins.
   void note(std::span<const Robot> now, std::span<const Mover> movers_now, std::int64_t present);
 };
 
 Senses senses_of(const Scenario& scenario);
+
+/// m: a bound of own_error().
+double most_lost(const LocalizationNoise& model);
 
 /// s: how long a robot may be in sight before it is first sensed, except with the probability
 /// dropped^(kMostCarried + 1).

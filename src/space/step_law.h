@@ -13,7 +13,8 @@ inline StepLaw step_law(const PlannerOptions& options, const Horizon& horizon) {
           .lag = held ? 0.5 * options.time_step : horizon.step().lag,
           .braking_time = held ? options.time_step : horizon.step().rate * options.control_time,
           .sensing_error = options.sensing_error,
-          .control_time = options.control_time};
+          .control_time = options.control_time,
+          .localization_error = options.localization_error};
 }
 
 }  // namespace avo::space

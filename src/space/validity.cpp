@@ -23,8 +23,6 @@ void validate_in_space(const PlannerOptions& options) {
   validate(options, "PlannerOptions.");
   if (options.method != Method::avo) refuse_option("method", to_string(options.method), "avo");
   if (options.clock != Clock::common) refuse_option("clock", to_string(options.clock), "common");
-  if (options.localization_error > 0.0)
-    refuse_option("localization_error", "errors of a robot's own place", "0");
   if (options.sensing_noise.position > 0.0 || options.sensing_noise.velocity > 0.0)
     refuse_option("sensing_noise", "noise of half-spaces", "0");
   if (options.margin > 0.0) refuse_option("margin", "margin", "0");

@@ -130,7 +130,8 @@ avo::space::Simulation space_after(int steps, bool senses_late) {
   scenario.boxes.push_back(floor);
   if (senses_late) {
     scenario.seed = 7;
-    scenario.sensing = {.noise = {.position = 0.02}, .delay = 2};
+    scenario.sensing = {
+        .noise = {.position = 0.02}, .delay = 2, .localization = {.position = 0.03}};
     scenario.sensing_error = avo::SensingError{0.3, 0.4};
   }
   avo::space::Simulation simulation(scenario);

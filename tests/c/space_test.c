@@ -55,6 +55,7 @@ static avo_space_simulation_id make_fleet(bool senses_late) {
     def.seed = 7;
     def.sensing.noise.position = 0.02;
     def.sensing.delay = 2;
+    def.localization.position = 0.03;
     def.sensing_error.position = 0.3;
     def.sensing_error.velocity = 0.4;
   }

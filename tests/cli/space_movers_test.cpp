@@ -103,8 +103,8 @@ TEST(SpaceMovers, mistakes_in_scenes_are_named) {
               HasSubstr("moving_obstacles.0.velocity: found"));
   EXPECT_THAT(refused_with("max_deviation: 0.2, ", ""),
               HasSubstr("moving_obstacles.1.max_speed: found 4, must be left out"));
-  EXPECT_THAT(refused_with("dropped: 0.05", "localization: {position: 0.1}"),
-              HasSubstr("sensing.localization: found 0.1 m"));
+  EXPECT_THAT(refused_with("dropped: 0.05", "localization: {position: -0.1}"),
+              HasSubstr("sensing.localization.position: found -0.1, must be >= 0 m"));
 }
 
 }  // namespace

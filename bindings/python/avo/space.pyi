@@ -323,6 +323,7 @@ class Planner:
         certificate: _Certificate | None = None,
         max_neighbors: _Int | None = None,
         sensing_error: _Numbers = (0.0, 0.0),
+        localization_error: _Float = 0.0,
         arrival_distance: _Float = 0.5,
         response_time: _Float | None = None,
         comfort_acceleration: _Float | None = None,

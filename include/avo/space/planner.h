@@ -70,8 +70,7 @@ struct DecisionTrace;
 class AVO_API Planner {
  public:
   /// Throws Error on options out of range, and on options that space does not have. These are a
-  /// method other than avo, a free clock, noise for the half-planes, and errors of the robot's own
-  /// place.
+  /// method other than avo, a free clock, and noise for the half-planes.
   explicit Planner(const PlannerOptions& options);
 
   /// Reciprocal collision avoidance (§IV-D) in space. All neighbors are assumed to decide at the

@@ -59,7 +59,7 @@ struct Scenario {
   bool navigation = true;         ///< robots follow routes around boxes
   double arrival_distance = 0.5;  ///< m, > 0
   std::uint64_t seed = 1;         ///< of random placements
-  /// How robots sense others, as in the plane; `localization` has to be left out.
+  /// How robots sense others, as in the plane. Boxes and the own goal are off by `localization`.
   SensingModel sensing = {};
   /// The error that the robots declare to their certificate; unset: declared_error().
   std::optional<SensingError> sensing_error = {};

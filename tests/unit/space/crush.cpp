@@ -49,6 +49,16 @@ Neighbor Crush::sensed(std::size_t k) {
   return neighbor;
 }
 
+// A robot that takes itself to be elsewhere sees boxes elsewhere.
+std::vector<Box> Crush::seen_boxes() {
+  const double lost = planner_.options().localization_error;
+  if (!(lost > 0.0)) return boxes_;
+  const Vec3 off = draws_.below(2) == 0 ? lost * draws_.direction() : draws_.within(lost);
+  std::vector<Box> boxes;
+  for (const Box& box : boxes_) boxes.push_back(moved(box, off));
+  return boxes;
+}
+
 // As much of that direction as the limits of the robot let one step have.
 Vec3 Crush::towards(const Robot& robot, Vec3 direction) const {
   const double u = robot.max_acceleration * planner_.options().time_step;
@@ -66,6 +76,7 @@ Vec3 Crush::choose(std::size_t k) {
   for (std::size_t j = 0; j < robots_.size(); ++j) {
     if (j != k) others.push_back(sensed(j));
   }
+  const std::vector<Box> boxes = seen_boxes();
   const Vec3 backup = backup_velocity(robot, step_law(planner_.options(), horizon_));
   for (int attempt = 0; attempt < 6; ++attempt) {
     Vec3 to = draws_.direction();
@@ -81,7 +92,7 @@ Vec3 Crush::choose(std::size_t k) {
     Vec3 v = towards(robot, to);
     // as near to what is refused as the certificate lets it
     for (int halving = 0; halving < 5; ++halving) {
-      if (planner_.is_admitted(robot, others, workspace_, v, boxes_)) return v;
+      if (planner_.is_admitted(robot, others, workspace_, v, boxes)) return v;
       v = 0.5 * (v + backup);
     }
   }

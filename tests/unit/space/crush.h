@@ -22,6 +22,7 @@ class Crush {
 
  private:
   Neighbor sensed(std::size_t k);
+  std::vector<Box> seen_boxes();
   Vec3 towards(const Robot& robot, Vec3 direction) const;
   Vec3 choose(std::size_t k);
   void observe();

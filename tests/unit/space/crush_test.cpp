@@ -23,7 +23,8 @@ struct Kind {
   double most_priority = 1.0;
   bool brakes_differ = false;
   SensingError error = {};
-  int most_age = 0;  // steps
+  double lost = 0.0;  // m, by which they err in their own places
+  int most_age = 0;   // steps
   int boxes = 0;
   int most_robots = 24;
   double most_speed = 3.0;  // m/s
@@ -43,6 +44,7 @@ class Scatter {
     options.control_time = std::max(2.0, time_step);
     options.time_horizon = std::max(3.0, time_step);
     options.sensing_error = kind_.error;
+    options.localization_error = kind_.lost;
     return {robots_, boxes_, options, draws_, kind_.most_age};
   }
 
@@ -153,6 +155,17 @@ TEST(SpaceCrush, thin_boxes_are_not_passed_through) {
   expect_no_contact(
       {.least_radius = 0.05, .most_radius = 0.2, .boxes = 20, .most_robots = 9, .most_speed = 8.0},
       8, 0.5);
+}
+
+TEST(SpaceCrush, boxes_are_not_touched_by_robots_that_do_not_know_their_places) {
+  expect_no_contact({.least_vertical = 0.5, .most_vertical = 1.5, .lost = 0.1, .boxes = 12}, 8);
+  expect_no_contact({.least_radius = 0.05,
+                     .most_radius = 0.2,
+                     .lost = 0.02,
+                     .boxes = 20,
+                     .most_robots = 9,
+                     .most_speed = 8.0},
+                    8, 0.5);
 }
 
 TEST(SpaceCrush, sensing_errors_cost_no_contact) {

@@ -196,9 +196,9 @@ TEST(SpaceSenses, an_age_counts_as_a_declared_error) {
 
 TEST(SpaceSenses, out_of_range_are_refused) {
   Scenario scene = crossing(2, 1);
-  scene.sensing.localization.position = 0.1;
+  scene.sensing.localization.position = -0.1;
   EXPECT_EQ(refusal([&] { validate(scene); }),
-            "sensing.localization: found 0.1 m, must be left out in a scene of space");
+            "sensing.localization.position: found -0.1, must be >= 0 m");
   scene = crossing(2, 1);
   scene.sensing.delay = 101;
   EXPECT_EQ(refusal([&] { validate(scene); }), "sensing.delay: found 101, must be <= 100 steps");

@@ -259,6 +259,7 @@ typedef struct avo_space_simulation_def {
   size_t moving_obstacle_count;
   const avo_space_box* boxes;
   size_t box_count;
+  avo_localization_noise localization;  ///< robots know their velocity exactly
 } avo_space_simulation_def;
 AVO_C_API avo_space_simulation_def avo_default_space_simulation_def(void);
 
