@@ -158,7 +158,7 @@ def test_robots_have_methods_and_movers_trajectories():
     assert simulation.planner(0).method == "orca" and simulation.planner(2).method == "avo"
     simulation.add_robot(avo.RobotSetup(position=(80, 0), goal=(80, 0), max_speed=1, method="orca_clamped"))
     assert simulation.planner(3).method == "orca_clamped"
-    with pytest.raises(avo.Error, match="must be one of avo"):
+    with pytest.raises(avo.Error, match="Must be one of avo"):
         avo.RobotSetup(position=(0, 0), goal=(0, 0), method="ocra")
 
 
