@@ -117,7 +117,7 @@ std::string point(Vec2 at) {
 
 }  // namespace
 
-Caption draw_among_obstacles(const std::string& folder) {
+Caption draw_among_movers(const std::string& folder) {
   const Row row{.width = 430.0};
   const std::string path = folder + "/fig-04.png";
   Canvas canvas(path, row.width, row.height());

@@ -55,7 +55,7 @@ void draw_all(const std::string& folder) {
   std::vector<Caption> captions;
   for (const Draw draw :
        {Draw{draw_exchange}, Draw{draw_velocity_obstacle}, Draw{draw_acceleration_obstacle},
-        Draw{draw_among_obstacles}, Draw{draw_reciprocal_sets}, Draw{draw_half_planes},
+        Draw{draw_among_movers}, Draw{draw_reciprocal_sets}, Draw{draw_half_planes},
         Draw{draw_car_accelerations}, Draw{draw_moving_obstacle}, Draw{draw_circle},
         Draw{draw_cars}, Draw{draw_speed}}) {
     captions.push_back(draw(folder));

@@ -73,7 +73,7 @@ void FleetLoop::send_all_to(Vec2 goal) {
   for (RobotSetup& setup : setup_) setup.goal = goal;
 }
 
-void FleetLoop::turn_obstacles() {
+void FleetLoop::turn_movers() {
   for (Neighbor& obstacle : obstacles_) {
     do {
       obstacle.acceleration = random_.in_square(2.0 * acting_.whims);

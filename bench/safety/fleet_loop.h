@@ -22,7 +22,7 @@ class FleetLoop {
   void tick();
   void send_all_to(Vec2 goal);
   /// Gives every obstacle a new acceleration.
-  void turn_obstacles();
+  void turn_movers();
 
   [[nodiscard]] double time() const { return static_cast<double>(ticks_) * tick_time_; }
   [[nodiscard]] std::int64_t ticks() const { return ticks_; }

@@ -117,7 +117,7 @@ void run_sensing(const Scene& scene, const std::string& record, Outcome& outcome
       loop.send_all_to(scene.rallies[random.below(scene.rallies.size())]);
     }
     if (scene.acting.whims > 0.0 && loop.ticks() % second == 0) {
-      loop.turn_obstacles();
+      loop.turn_movers();
       observer.begin_part(loop);
     }
     loop.tick();

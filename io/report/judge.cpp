@@ -36,7 +36,7 @@ struct Judge {
   Judge(const std::string& recording, const JudgeOptions& options);
   void number_densely(RecordedTime& moment);
   void add(RecordedTime& moment);
-  void place_obstacles(double time);
+  void place_movers(double time);
   void compare_with_scene();
 };
 
@@ -142,7 +142,7 @@ bool lacks_rows(const avo::Scenario& scenario, double duration) {
 
 // Places the obstacles with a path or a trajectory. Robots affect only the times at which such
 // obstacles decide.
-void Judge::place_obstacles(double time) {
+void Judge::place_movers(double time) {
   movers->go_to(time);
   for (std::size_t k = 0; k < scenario->moving_obstacles.size(); ++k)
     if (!scenario->moving_obstacles[k].path.empty() ||
@@ -158,7 +158,7 @@ void Judge::add(RecordedTime& moment) {
       before && (moment.every > 1 || (has_robots && lacks_rows(*scenario, moment.time - *before)));
   if (thinned) check.skip();
   if (scenario && thinned) movers->require_known(moment.time);
-  if (scenario) place_obstacles(moment.time);
+  if (scenario) place_movers(moment.time);
   if (!has_robots) {
     number_densely(moment);
   } else {

@@ -88,11 +88,11 @@ void remember(avo::Simulation& simulation, const std::vector<bool>& goes_on) {
   const SavedState now = avo::from_bytes(plane().simulation->save());
   SavedState next = avo::from_bytes(simulation.save());
   take_states(now, next);
-  for (std::size_t k = 0; k < std::min(goes_on.size(), next.obstacles.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(goes_on.size(), next.movers.size()); ++k) {
     if (!goes_on[k]) continue;
-    next.obstacles[k] = now.obstacles[k];
+    next.movers[k] = now.movers[k];
     if (now.scene.moving_obstacles[k].path != next.scene.moving_obstacles[k].path)
-      next.obstacles[k].next_point = 0;
+      next.movers[k].next_point = 0;
   }
   take_time(now, next);
   if (same_robots(now, next)) {

@@ -35,7 +35,7 @@ double swing_coefficient(const TrajectoryConstraints& constraints, std::size_t k
   return dot(normal, middle) + columns.offset[1][k] - cone;
 }
 
-// Tests the middle points of all constraints, which keeps() has judged.
+// Tests the middle points of all constraints, which keeps() has tested.
 bool keeps_swing(const CandidatePath& path, const StepLaw& law,
                  TrajectoryConstraints& constraints) {
   ConstraintColumns& columns = constraints.columns;
@@ -82,7 +82,7 @@ WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
                                  std::size_t last) {
   const ConstraintColumns& columns = constraints.columns;
   const double* coefficient = columns.coefficient.data();
-  const std::size_t behind = std::min(last, columns.judged);
+  const std::size_t behind = std::min(last, columns.tested);
   WorstConstraint worst{std::numeric_limits<double>::infinity()};
   if (first >= behind) return worst;
   const std::size_t k = static_cast<std::size_t>(

@@ -54,7 +54,7 @@ AVO_KERNEL PackCoefficients<Real> coefficients(const ConstraintColumnsOf<D>& con
           select(later, result.end, result.end - Real(path.bend))};
 }
 
-/// Returns whether the path keeps all constraints. They are judged as far as they are asked for.
+/// Returns whether the path keeps all constraints. They are tested as far as they are asked for.
 template <typename Real, int D>
 bool keeps(const BrakingOf<D>& own, const CandidatePathOf<D>& path, const StepLaw& law,
            bool has_cones, Asked asked_for, ConstraintColumnsOf<D>& constraints) {
@@ -72,7 +72,7 @@ bool keeps(const BrakingOf<D>& own, const CandidatePathOf<D>& path, const StepLa
     select(asked, min(min(left.start, left.middle), left.end), infinity)
         .store(&constraints.coefficient[k]);
   }
-  constraints.judged = std::min(k, constraints.count);
+  constraints.tested = std::min(k, constraints.count);
   return kept;
 }
 

@@ -104,7 +104,7 @@ void collect_near(const NearPair& near, const StepLaw& law, TrajectoryConstraint
 void begin_trajectories(const Robot& robot, const Neighbors& neighbors, const NearPairs& near,
                         std::size_t i, const StepLaw& law, TrajectoryConstraints& constraints,
                         Invariant& invariant) {
-  constraints.columns.count = constraints.columns.judged = 0;
+  constraints.columns.count = constraints.columns.tested = 0;
   constraints.own_columns.count = constraints.own_columns.filled = 0;
   constraints.stays_at_rest = constraints.has_cones = false;
   constraints.waiting.clear();

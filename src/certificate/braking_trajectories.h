@@ -63,7 +63,7 @@ struct OneDisc {
   Robot disc;          ///< what keeps clear of it
   double lever = 0.0;  ///< m, from the robot's position to the disc
 };
-/// The neighbors that are judged one by one: all, or those that the lanes leave out.
+/// The neighbors that are tested one by one: all, or those that the lanes leave out.
 enum class Selected : unsigned char { all, left_out };
 
 /// Collects the constraints of these neighbors, with all discs of their footprints.
@@ -83,14 +83,14 @@ void collect_waiting(const StepLaw& law, TrajectoryConstraints& constraints, Inv
 bool keeps_trajectories(const CandidatePath& path, const StepLaw& law,
                         TrajectoryConstraints& constraints, Asked asked_for);
 
-/// The constraint that the last judged path violates most.
+/// The constraint that the last tested path violates most.
 struct WorstConstraint {
   double coefficient;  ///< m, < 0 if a constraint is violated; otherwise nothing else is set
   TrajectoryConstraint constraint = {};
   int point = 0;   ///< which of the three points
   Vec2 lean = {};  ///< the part of the normal that a cone takes off there
 };
-/// The worst of the constraints [first .. last), as far as they have been judged for the path.
+/// The worst of the constraints [first .. last), as far as they have been tested for the path.
 WorstConstraint worst_constraint(const TrajectoryConstraints& constraints,
                                  const CandidatePath& path, const StepLaw& law, std::size_t first,
                                  std::size_t last);

@@ -55,7 +55,7 @@ void begin_walls_of(const Robot& robot, std::span<const Wall> walls, const Certi
 void begin_constraints(const Robot& robot, const Neighbors& neighbors, std::size_t i,
                        const CertificateLaw& law, CertificateConstraints& constraints) {
   constraints.invariant = {std::numeric_limits<double>::infinity()};
-  constraints.trajectories.columns.count = constraints.trajectories.columns.judged = 0;
+  constraints.trajectories.columns.count = constraints.trajectories.columns.tested = 0;
   constraints.trajectories.stays_at_rest = false;
   constraints.trajectories.waiting.clear();
   constraints.loiterers.clear();
@@ -83,7 +83,7 @@ bool keeps_reach(const Robot& robot, const CandidatePath& path, const StepLaw& l
   return path.length + stopping_length(path.braking, law) <= kRounding * expected;
 }
 
-// Returns whether the robot moves on the judged path. A robot that turns in place moves its discs.
+// Returns whether the robot moves on the tested path. A robot that turns in place moves its discs.
 bool moves(const CertificateConstraints& constraints) {
   const auto& discs = constraints.footprint.all();
   return constraints.path.moving > 0 ||
@@ -101,7 +101,7 @@ bool admits(const Robot& robot, Vec2 next_velocity, const CertificateLaw& law,
   // rounding would not admit
   if (law.step.has_free_clocks() && next_velocity == backup_velocity(robot, law)) return true;
   constraints.path = follow(robot, next_velocity, law.step);
-  constraints.trajectories.columns.judged = 0;
+  constraints.trajectories.columns.tested = 0;
   if (!holonomic && !keeps_reach(robot, constraints.path, law.step)) return false;
   collect_refusing(robot, constraints.path, law.step, constraints.trajectories,
                    constraints.invariant);

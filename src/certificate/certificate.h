@@ -27,7 +27,7 @@ struct CertificateConstraints {
   std::vector<LoiterLine> loiterers;
   WallConstraints walls;           ///< by begin_walls_of()
   FootprintConstraints footprint;  ///< of a robot with a footprint: in place of those above
-  CandidatePath path;              ///< of the last judged candidate
+  CandidatePath path;              ///< of the last tested candidate
   NearPairs near;                  ///< of all robots that find_near() was given
   // of a robot that is planned alone
   RobotColumns alone;

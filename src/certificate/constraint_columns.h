@@ -41,21 +41,21 @@ using OwnColumns = OwnColumnsOf<2>;
 /// The `needs` of an entry that is no constraint and only fills a lane.
 inline constexpr double kNoConstraint = std::numeric_limits<double>::infinity();
 
-/// Which constraints are judged for a candidate: all, or only until one refuses it.
+/// Which constraints are tested for a candidate: all, or only until one refuses it.
 enum class Asked : unsigned char { all, until_refused };
 
 /// See TrajectoryConstraint.
 template <int D>
 struct ConstraintColumnsOf {
   std::size_t count = 0;
-  /// The first so many have a coefficient for the last judged path. The others have not been
-  /// judged: their values are of another path or robot.
-  std::size_t judged = 0;
+  /// The first so many have a coefficient for the last tested path. The others have not been
+  /// tested: their values are of another path or robot.
+  std::size_t tested = 0;
   std::array<std::vector<double>, D> normal;  ///< by axis
   std::vector<double> cone, bound;
   std::array<std::vector<double>, 3> offset;
   std::vector<double> interval, needs;  ///< needs: the constraint applies only if moving > needs
-  std::vector<double> coefficient;      ///< m, of the judged constraints
+  std::vector<double> coefficient;      ///< m, of the tested constraints
   std::vector<int> neighbor;
 
   bool is_constraint(std::size_t k) const { return needs[k] < kNoConstraint; }

@@ -76,7 +76,7 @@ void begin_disc(double ahead, const Braking& own, const Deviation& deviation,
                 DiscConstraints& disc) {
   disc.ahead = ahead;
   TrajectoryConstraints& of_others = disc.trajectories;
-  of_others.columns.count = of_others.columns.judged = 0;
+  of_others.columns.count = of_others.columns.tested = 0;
   of_others.own_columns.count = of_others.own_columns.filled = 0;
   of_others.stays_at_rest = of_others.has_cones = false;
   of_others.waiting.clear();
@@ -160,7 +160,7 @@ bool keeps_all(const CandidatePath& path, const StepLaw& law, Asked asked_for,
                                  : step_coefficient(constraints, k, path, law);
     kept = kept && columns.coefficient[k] >= 0.0;
   }
-  columns.judged = k;
+  columns.tested = k;
   return kept && !(constraints.stays_at_rest && path.moving > 0);
 }
 

@@ -50,7 +50,7 @@ struct DiscConstraints {
   double ahead = 0.0;  ///< m, from the robot's position to its center
   TrajectoryConstraints trajectories;
   WallConstraints walls;
-  CandidatePath path;  ///< of the last judged candidate
+  CandidatePath path;  ///< of the last tested candidate
 };
 
 /// The demands on all discs of a robot. Scratch memory; allocates only while it grows.

@@ -84,7 +84,7 @@ bool keeps_off_movers(const EvasionOptions& options, Surroundings& around, const
 /// [v_1] m/s, the next velocity of an evasive maneuver towards the velocity w.
 Vec2 next_towards(const EvasionOptions& options, const EvasionState& from, Vec2 w);
 
-/// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below judge
+/// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below test
 /// the motion after it.
 bool take_first_step(const EvasionOptions& options, Surroundings& around, const EvasionState& now,
                      Vec2 next_velocity);

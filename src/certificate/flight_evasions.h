@@ -14,11 +14,11 @@ struct FlightControl {
   double turn = 0.0;   ///< [-1, 1] part of its lateral acceleration; > 0: to the left
 };
 
-/// Returns whether the first step keeps clear, (C1) and (C3). The functions below judge the flight
+/// Returns whether the first step keeps clear, (C1) and (C3). The functions below test the flight
 /// after it. `step` begins at 0; options.wheels is the robot.
 bool take_first_flight(const EvasionOptions& options, Surroundings& around, const MotionState& now,
                        const FlightStep& step);
-/// The functions below then judge the flight from now on.
+/// The functions below then test the flight from now on.
 void take_no_flight(Surroundings& around, Vec2 velocity);
 /// Returns whether A keeps clear, (C1) and (C3), if it circles at once.
 bool may_circle(const EvasionOptions& options, Surroundings& around);

@@ -85,7 +85,7 @@ const std::vector<double>& braking_limits(const NeighborColumns& columns) {
 /// Keeps the pairs of the queue that may meet and can refuse a candidate of A, and empties the
 /// queue.
 template <typename Real, bool kUnlike>
-void judge(const RobotColumns& robots, const StepLaw& law, NearPairs& pairs) {
+void examine(const RobotColumns& robots, const StepLaw& law, NearPairs& pairs) {
   NearQueue& queue = pairs.queue;
   if (queue.count == 0) return;
   const bool exact = law.is_exact();
@@ -196,7 +196,7 @@ AVO_KERNEL bool look_for(const RobotColumns& robots, std::size_t i, const StepLa
       Real(static_cast<double>(i)).store(&queue.robot[queue.count]);
       queue.count +=
           store_chosen(near, Real::numbers_from(neighbors.first + k), &queue.place[queue.count]);
-      if (queue.count >= NearQueue::kSize) judge<Real, kUnlike>(robots, law, pairs);
+      if (queue.count >= NearQueue::kSize) examine<Real, kUnlike>(robots, law, pairs);
     }
     const Vec<Real> p = self.position - other.position;
     if (any(dot(p, p) > range_squared)) break;
@@ -224,7 +224,7 @@ AVO_KERNEL void look_for_all(const RobotColumns& robots, const StepLaw& law, Nea
     const bool has_others = has_discs || look_for<Real, kUnlike>(robots, i, law, pairs);
     pairs.has_others[i] = has_others ? 1 : 0;
   }
-  judge<Real, kUnlike>(robots, law, pairs);
+  examine<Real, kUnlike>(robots, law, pairs);
 }
 
 template <typename Real>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the neighbors for which each of many robots may have to brake. Bounds exclude most far
-// pairs with little arithmetic; the rest of all robots is judged in full lanes.
+// pairs with little arithmetic; the rest of all robots is tested in full lanes.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -74,7 +74,7 @@ struct NearPairs {
   std::vector<NearPair> kept;    ///< robot by robot, by ascending neighbor
   std::vector<std::size_t> end;  ///< one past the pairs of robot i
   /// Whether robot i has neighbors that do not decide, or have an age or a footprint: they are
-  /// judged one by one. All neighbors of a robot with a footprint are.
+  /// tested one by one. All neighbors of a robot with a footprint are.
   std::vector<std::uint8_t> has_others;
   std::vector<std::uint8_t> admits;  ///< set by admit_next()
 

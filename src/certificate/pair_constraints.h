@@ -32,7 +32,7 @@ struct PairConstraintsOf {
   const BrakingPairOf<D>& pair;
   const Neighbor& other;
   int neighbor;           ///< its index
-  std::size_t intervals;  ///< number of intervals that are judged
+  std::size_t intervals;  ///< number of intervals that are tested
   double inflated;        ///< m, contact and all known uncertainty
   double held;            ///< m, the distance that is held; `inflated` until it is known
   double moving;          ///< the invariant covers the intervals below this one

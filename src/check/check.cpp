@@ -23,9 +23,9 @@ Check::Check(const std::vector<CheckedRobot>& robots, std::vector<CheckedMover> 
   for (std::size_t k = 0; k < movers.size(); ++k)
     judge::require_sound("movers." + std::to_string(k), movers[k]);
   state_->options = options;
-  state_->obstacles = std::move(movers);
-  state_->placed_before.resize(state_->obstacles.size());
-  state_->placed.resize(state_->obstacles.size());
+  state_->movers = std::move(movers);
+  state_->placed_before.resize(state_->movers.size());
+  state_->placed.resize(state_->movers.size());
   for (const CheckedRobot& robot : robots) add_robot(robot);
 }
 Check::~Check() = default;
@@ -51,13 +51,13 @@ void Check::set_walls(std::vector<CheckedWall> walls) {
 }
 
 void Check::place_mover(std::int64_t mover, Vec2 position, Vec2 velocity) {
-  const auto count = static_cast<std::int64_t>(state_->obstacles.size());
+  const auto count = static_cast<std::int64_t>(state_->movers.size());
   if (mover < 0 || mover >= count)
     refuse("mover", std::to_string(mover), "0 to " + std::to_string(count - 1));
   const std::string place = "movers." + std::to_string(mover);
   require(place + ".position", position, "m");
   require(place + ".velocity", velocity, "m/s");
-  state_->placed[static_cast<std::size_t>(mover)] = judge::PlacedObstacle{position, velocity};
+  state_->placed[static_cast<std::size_t>(mover)] = judge::PlacedMover{position, velocity};
 }
 
 void Check::skip() {
@@ -70,30 +70,29 @@ void Check::add(double time, std::span<const CheckedState> rows) {
   const bool begins = state.times == 0;
   state.duration = begins ? 0.0 : time - state.last_time;
   if (begins) state.last_time = state.report.from = time;
-  state.movers.clear();
+  state.discs.clear();
   for (const CheckedState& row : rows) state.judge_row(time, row);
   const judge::JudgedStep step{state.last_time, state.duration, state.options.relative_tolerance,
                                state.robots};
-  for (const judge::MovingDisc& robot : state.movers) state.walls.judge(robot, step);
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
-    const CheckedMover& obstacle = state.obstacles[k];
-    const auto told = [&](double t) { return judge::place_of(obstacle, t); };
-    const judge::PlacedObstacle to = state.placed[k].value_or(told(time));
-    const judge::PlacedObstacle from =
+  for (const judge::MovingDisc& robot : state.discs) state.walls.judge(robot, step);
+  for (std::size_t k = 0; k < state.movers.size(); ++k) {
+    const CheckedMover& mover = state.movers[k];
+    const auto told = [&](double t) { return judge::place_of(mover, t); };
+    const judge::PlacedMover to = state.placed[k].value_or(told(time));
+    const judge::PlacedMover from =
         begins && state.placed[k] ? to : state.placed_before[k].value_or(told(state.last_time));
-    state.movers.push_back(
-        judge::obstacle_mover(from, to, obstacle.radius, static_cast<std::int64_t>(k)));
-    if (obstacle.straight && state.placed[k] && !begins)
-      state.movers.back().from_velocity = state.movers.back().to_velocity =
+    state.discs.push_back(judge::mover_disc(from, to, mover.radius, static_cast<std::int64_t>(k)));
+    if (mover.straight && state.placed[k] && !begins)
+      state.discs.back().from_velocity = state.discs.back().to_velocity =
           (to.position - from.position) / state.duration;
   }
   state.boxes.clear();
-  for (std::size_t i = 0; i < state.movers.size(); ++i)
-    state.boxes.push_back(judge::box_of(state.movers[i], i, state.duration));
+  for (std::size_t i = 0; i < state.discs.size(); ++i)
+    state.boxes.push_back(judge::box_of(state.discs[i], i, state.duration));
   judge::sweep(
       state.boxes, [&state] { return state.pairs.reach(); },
       [&](std::size_t a, std::size_t b) {
-        state.pairs.meet(state.movers[std::min(a, b)], state.movers[std::max(a, b)], step);
+        state.pairs.meet(state.discs[std::min(a, b)], state.discs[std::max(a, b)], step);
       });
   state.last_time = state.report.to = time;
   state.report.rows += static_cast<std::int64_t>(rows.size());

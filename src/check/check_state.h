@@ -29,9 +29,9 @@ struct SeenRobot {
 
 struct Check::State {
   std::vector<CheckedRobot> robots;
-  std::vector<CheckedMover> obstacles;
-  // of each obstacle: its place at the last time, and at the next one, if it is placed there
-  std::vector<std::optional<judge::PlacedObstacle>> placed_before, placed;
+  std::vector<CheckedMover> movers;
+  // of each mover: its place at the last time, and at the next one, if it is placed there
+  std::vector<std::optional<judge::PlacedMover>> placed_before, placed;
   CheckOptions options;
   CheckReport report;  // the part that is not derived from other data
   std::vector<judge::SeenRobot> seen;
@@ -43,7 +43,7 @@ struct Check::State {
   // of the present step
   bool skipped = false;  // its rows in between are missing
   double duration = 0.0;
-  std::vector<judge::MovingDisc> movers;
+  std::vector<judge::MovingDisc> discs;  // of robots, then of movers
   std::vector<judge::BoundingBox> boxes;
 
   void require_sound(double time, std::span<const CheckedState> rows) const;
@@ -54,8 +54,8 @@ struct Check::State {
   void judge_limits(const CheckedRobot& robot, const CheckedState& before, const CheckedState& now,
                     double time);
   void judge_changes(const CheckedRobot& robot, const CheckedState& now, double time);
-  [[nodiscard]] bool passes(const judge::MovingDisc& mover, Vec2 goal, double within) const;
-  void judge_arrival(double time, const CheckedState& row, const judge::MovingDisc& mover);
+  [[nodiscard]] bool passes(const judge::MovingDisc& disc, Vec2 goal, double within) const;
+  void judge_arrival(double time, const CheckedState& row, const judge::MovingDisc& disc);
   [[nodiscard]] std::vector<std::optional<Vec2>> places_at_rest() const;
 };
 

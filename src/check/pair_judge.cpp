@@ -94,9 +94,9 @@ void PairJudge::meet_mover(const MovingDisc& robot, const MovingDisc& other, con
 }
 
 void PairJudge::meet(const MovingDisc& a, const MovingDisc& b, const JudgedStep& step) {
-  if (a.obstacle) return;                         // then both are
-  if (!b.obstacle && a.index == b.index) return;  // two discs of one robot
-  if (b.obstacle) return meet_mover(a, b, step, with_obstacles_);
+  if (a.is_mover) return;                         // then both are
+  if (!b.is_mover && a.index == b.index) return;  // two discs of one robot
+  if (b.is_mover) return meet_mover(a, b, step, with_movers_);
   switch (duty(step.robots[static_cast<std::size_t>(a.index)],
                step.robots[static_cast<std::size_t>(b.index)])) {
     case Duty::nobody:
@@ -121,9 +121,9 @@ void PairJudge::write(CheckReport& report) const {
   };
   report.overlaps = overlaps_;
   report.overlaps.count = std::ssize(overlapping_);
-  report.mover_contacts_moving = with_obstacles_.in_motion;
-  report.mover_contacts_at_rest = at_rest(with_obstacles_);
-  report.mover_hits = listed(with_obstacles_.hits);
+  report.mover_contacts_moving = with_movers_.in_motion;
+  report.mover_contacts_at_rest = at_rest(with_movers_);
+  report.mover_hits = listed(with_movers_.hits);
   report.one_sided_contacts_moving = one_sided_.in_motion;
   report.one_sided_contacts_at_rest = at_rest(one_sided_);
   report.one_sided_hits = listed(one_sided_.hits);

@@ -39,7 +39,7 @@ class PairJudge {
   DutyKinds kinds_;
   Pairs overlapping_;
   CheckCount overlaps_;
-  Contacts with_obstacles_, one_sided_;
+  Contacts with_movers_, one_sided_;
   std::optional<double> least_clearance_;
 };
 

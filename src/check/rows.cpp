@@ -97,14 +97,14 @@ void Check::State::judge_changes(const CheckedRobot& robot, const CheckedState& 
 }
 
 // Returns whether it passes the goal within the step; it may begin and end elsewhere.
-bool Check::State::passes(const MovingDisc& mover, Vec2 goal, double within) const {
-  if (mover.newcomer) return false;
-  const double limit = within * (1.0 + options.relative_tolerance) + mover.error;
-  const auto path = judge::pieces_of(mover, duration, goal);
+bool Check::State::passes(const MovingDisc& disc, Vec2 goal, double within) const {
+  if (disc.newcomer) return false;
+  const double limit = within * (1.0 + options.relative_tolerance) + disc.error;
+  const auto path = judge::pieces_of(disc, duration, goal);
   return lower_bound(path) <= limit && nearest_instant(path).distance <= limit;
 }
 
-void Check::State::judge_arrival(double time, const CheckedState& row, const MovingDisc& mover) {
+void Check::State::judge_arrival(double time, const CheckedState& row, const MovingDisc& disc) {
   const auto index = static_cast<std::size_t>(row.robot);
   const std::optional<Vec2>& goal = robots[index].goal;
   if (!goal) return;
@@ -114,7 +114,7 @@ void Check::State::judge_arrival(double time, const CheckedState& row, const Mov
                  !walls.hides(row.position, *goal, robots[index].layers);
   const bool arrives = judge::can_rest(robots[index])
                            ? mine.at_goal
-                           : passes(mover, *goal, within) || (skipped && mine.at_goal);
+                           : passes(disc, *goal, within) || (skipped && mine.at_goal);
   if (mine.arrived || !arrives) return;
   mine.arrived = true;
   last_arrival = time;
@@ -122,7 +122,7 @@ void Check::State::judge_arrival(double time, const CheckedState& row, const Mov
 
 void Check::State::add_newcomer(const CheckedRobot& robot, const CheckedState& row) {
   for (std::size_t disc = 0; disc < judge::disc_count(robot); ++disc)
-    movers.push_back(judge::newcomer(robot, disc, row));
+    discs.push_back(judge::newcomer(robot, disc, row));
 }
 
 void Check::State::judge_row(double time, const CheckedState& row) {
@@ -147,15 +147,15 @@ void Check::State::judge_row(double time, const CheckedState& row) {
     judge_step(robot, mine.row, row, time);
     judge_changes(robot, row, time);
     for (std::size_t disc = 0; disc < judge::disc_count(robot); ++disc) {
-      movers.push_back(judge::robot_mover(robot, disc, mine.row, row, duration));
-      report.interpolation_error = std::max(report.interpolation_error, movers.back().error);
+      discs.push_back(judge::robot_disc(robot, disc, mine.row, row, duration));
+      report.interpolation_error = std::max(report.interpolation_error, discs.back().error);
     }
   } else {
     if (mine.at >= 0) ++report.gaps;
     mine.clock.before.reset();
     add_newcomer(robot, row);
   }
-  judge_arrival(time, row, movers.back());
+  judge_arrival(time, row, discs.back());
   mine.row = row;
   mine.at = times;
 }

@@ -14,7 +14,7 @@
 namespace avo::judge {
 namespace {
 
-// A mover from one knot to the next.
+// A disc from one knot to the next.
 struct Span {
   CourseKnot from, to;
 };
@@ -39,19 +39,18 @@ CourseKnot knot_within(const Span& span, double duration, double u) {
   return {between(b012, b123), (3.0 / duration) * (b123 - b012)};
 }
 
-// Part k of the mover's own parts.
-Span own_span(const MovingDisc& mover, std::size_t k) {
-  if (mover.knots.empty())
-    return {{mover.from, mover.from_velocity}, {mover.to, mover.to_velocity}};
-  return {mover.knots[k], mover.knots[k + 1]};
+// Part k of the disc's own parts.
+Span own_span(const MovingDisc& disc, std::size_t k) {
+  if (disc.knots.empty()) return {{disc.from, disc.from_velocity}, {disc.to, disc.to_velocity}};
+  return {disc.knots[k], disc.knots[k + 1]};
 }
 
 // Part k of as many parts as its own, or a multiple of them.
-Span span_of(const MovingDisc& mover, double duration, std::size_t k, std::size_t parts) {
-  const std::size_t finer = parts / mover.parts(), i = k % finer;
-  const Span span = own_span(mover, k / finer);
+Span span_of(const MovingDisc& disc, double duration, std::size_t k, std::size_t parts) {
+  const std::size_t finer = parts / disc.parts(), i = k % finer;
+  const Span span = own_span(disc, k / finer);
   const auto at = [&](std::size_t end) {
-    return knot_within(span, duration / static_cast<double>(mover.parts()),
+    return knot_within(span, duration / static_cast<double>(disc.parts()),
                        static_cast<double>(end) / static_cast<double>(finer));
   };
   return {i == 0 ? span.from : at(i), i + 1 == finer ? span.to : at(i + 1)};
@@ -93,9 +92,9 @@ double speed_within(const Span& span, double from, double to, double duration) {
 
 }  // namespace
 
-MovingDisc robot_mover(const CheckedRobot& robot, std::size_t disc, const CheckedState& before,
-                       const CheckedState& now, double duration) {
-  MovingDisc mover{center_of(robot, before, disc),
+MovingDisc robot_disc(const CheckedRobot& robot, std::size_t disc, const CheckedState& before,
+                      const CheckedState& now, double duration) {
+  MovingDisc moved{center_of(robot, before, disc),
                    before.velocity,
                    center_of(robot, now, disc),
                    now.velocity,
@@ -103,43 +102,43 @@ MovingDisc robot_mover(const CheckedRobot& robot, std::size_t disc, const Checke
                    robot.interpolation_error,
                    now.robot};
   if (std::optional<DiscCourse> course = course_of(robot, disc, before, now, duration)) {
-    mover.error += course->error;
-    mover.knots = std::move(course->knots);
+    moved.error += course->error;
+    moved.knots = std::move(course->knots);
   } else if (!is_holonomic(robot.kinematics)) {
-    mover.error += arc_error(before, now, braking_of(robot), duration);
+    moved.error += arc_error(before, now, braking_of(robot), duration);
   }
   if (robot.straight)
-    mover.from_velocity = mover.to_velocity = (now.position - before.position) / duration;
-  return mover;
+    moved.from_velocity = moved.to_velocity = (now.position - before.position) / duration;
+  return moved;
 }
 
 MovingDisc newcomer(const CheckedRobot& robot, std::size_t disc, const CheckedState& now) {
   const Vec2 center = center_of(robot, now, disc);
-  MovingDisc mover{center,       now.velocity, center,
+  MovingDisc moved{center,       now.velocity, center,
                    now.velocity, robot.radius, robot.interpolation_error,
                    now.robot};
-  mover.newcomer = true;
-  return mover;
+  moved.newcomer = true;
+  return moved;
 }
 
-PlacedObstacle place_of(const CheckedMover& obstacle, double time) {
+PlacedMover place_of(const CheckedMover& mover, double time) {
   const double t = time;
-  return {obstacle.position + t * (obstacle.velocity + (0.5 * t) * obstacle.acceleration),
-          obstacle.velocity + t * obstacle.acceleration};
+  return {mover.position + t * (mover.velocity + (0.5 * t) * mover.acceleration),
+          mover.velocity + t * mover.acceleration};
 }
 
-MovingDisc obstacle_mover(const PlacedObstacle& from, const PlacedObstacle& to, double radius,
-                          std::int64_t index) {
-  MovingDisc mover{from.position, from.velocity, to.position, to.velocity, radius, 0.0, index};
-  mover.obstacle = true;
-  return mover;
+MovingDisc mover_disc(const PlacedMover& from, const PlacedMover& to, double radius,
+                      std::int64_t index) {
+  MovingDisc disc{from.position, from.velocity, to.position, to.velocity, radius, 0.0, index};
+  disc.is_mover = true;
+  return disc;
 }
 
-RelativePath path_of(const MovingDisc& mover, double duration, Vec2 origin, std::size_t k,
+RelativePath path_of(const MovingDisc& disc, double duration, Vec2 origin, std::size_t k,
                      std::size_t parts) {
-  const Vec2 to = mover.to - origin;
-  if (mover.newcomer) return {{to, to, to, to}};
-  Span span = span_of(mover, duration, k, parts);
+  const Vec2 to = disc.to - origin;
+  if (disc.newcomer) return {{to, to, to, to}};
+  Span span = span_of(disc, duration, k, parts);
   span.from.position = span.from.position - origin;
   span.to.position = span.to.position - origin;
   return cubic(span, duration / static_cast<double>(parts));
@@ -154,21 +153,21 @@ RelativePath relative_path(const MovingDisc& a, const MovingDisc& b, double dura
                duration / static_cast<double>(parts));
 }
 
-BoundingBox box_of(const MovingDisc& mover, std::size_t owner, double duration) {
-  const std::size_t parts = mover.parts();
+BoundingBox box_of(const MovingDisc& disc, std::size_t owner, double duration) {
+  const std::size_t parts = disc.parts();
   const auto box_of_part = [&](std::size_t k) {
-    return box_around(path_of(mover, duration, {}, k, parts).control, mover.radius, owner);
+    return box_around(path_of(disc, duration, {}, k, parts).control, disc.radius, owner);
   };
   BoundingBox box = box_of_part(0);
   for (std::size_t k = 1; k < parts; ++k) box = hull(box, box_of_part(k));
   return box;
 }
 
-double speed_bound(const MovingDisc& mover, double from_fraction, double to_fraction,
+double speed_bound(const MovingDisc& disc, double from_fraction, double to_fraction,
                    double duration) {
-  if (mover.newcomer) return norm(mover.to_velocity);
-  const auto parts = static_cast<double>(mover.parts());
-  const auto last = mover.parts() - 1;
+  if (disc.newcomer) return norm(disc.to_velocity);
+  const auto parts = static_cast<double>(disc.parts());
+  const auto last = disc.parts() - 1;
   const auto part_at = [&](double fraction) {
     return std::min(static_cast<std::size_t>(parts * fraction), last);
   };
@@ -176,7 +175,7 @@ double speed_bound(const MovingDisc& mover, double from_fraction, double to_frac
   for (std::size_t k = part_at(from_fraction); k <= part_at(to_fraction); ++k) {
     const double from = std::max(parts * from_fraction - static_cast<double>(k), 0.0);
     const double to = std::min(parts * to_fraction - static_cast<double>(k), 1.0);
-    most = std::max(most, speed_within(own_span(mover, k), from, to, duration / parts));
+    most = std::max(most, speed_within(own_span(disc, k), from, to, duration / parts));
   }
   return most;
 }

@@ -129,15 +129,15 @@ void collect_robots(const FleetView& fleet, const BodyStep& step, std::span<cons
   for (const BodyRow row : rows) robots.push_back(body_of(fleet, step, row));
 }
 
-void collect_obstacles(const MovingObstacleView& now, const BodyStep& step,
-                       std::vector<Body>& obstacles) {
+void collect_movers(const MovingObstacleView& now, const BodyStep& step,
+                    std::vector<Body>& obstacles) {
   const LastSeen& last = step.last;
   obstacles.clear();
-  auto before = last.obstacles.begin();  // ids ascend in both
+  auto before = last.movers.begin();  // ids ascend in both
   for (std::size_t k = 0; k < now.setup.size(); ++k) {
     const std::uint64_t id = now.id[k].value;
-    while (before != last.obstacles.end() && before->id < id) ++before;
-    if (before == last.obstacles.end()) break;
+    while (before != last.movers.end() && before->id < id) ++before;
+    if (before == last.movers.end()) break;
     if (before->id != id) continue;  // it has just come
     Body body;
     body.name = id;

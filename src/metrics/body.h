@@ -55,8 +55,8 @@ struct Sweep {
 };
 Sweep sweep_of(const FleetView& fleet, const BodyStep& step, BodyRow row);
 
-void collect_obstacles(const MovingObstacleView& now, const BodyStep& step,
-                       std::vector<Body>& obstacles);
+void collect_movers(const MovingObstacleView& now, const BodyStep& step,
+                    std::vector<Body>& obstacles);
 
 /// Least distance of the centers over the step; exact for held accelerations and straight lines,
 /// and for arcs to 1e-8 m. If the distance is beyond the cutoff, any distance beyond the cutoff may

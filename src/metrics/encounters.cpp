@@ -110,13 +110,13 @@ void Encounters::meet(const Body& a, const Body& b, const StepSpan& step) {
   first_collision_time = std::min(first_collision_time.value_or(time), time);
 }
 
-void Encounters::meet_obstacle(const Body& robot, const Body& obstacle, const StepSpan& step) {
+void Encounters::meet_mover(const Body& robot, const Body& obstacle, const StepSpan& step) {
   const double contact = robot.radius + obstacle.radius;
   if (!(distance(robot, obstacle, contact, step) < contact * (1.0 - kContact))) return;
   const std::pair pair(robot.name, obstacle.name);
-  if (with_obstacle.insert(pair).second) new_hits.push_back(pair);
+  if (with_mover.insert(pair).second) new_hits.push_back(pair);
   touched_by_movers.push_back(robot.name);
-  if (moves(robot, step)) with_obstacle_in_motion.insert({robot.name, obstacle.name});
+  if (moves(robot, step)) with_mover_in_motion.insert({robot.name, obstacle.name});
 }
 
 void Encounters::append_company(std::size_t robot, double reach) {
@@ -186,12 +186,12 @@ bool Encounters::changes_nothing(const Sweep& a, const Sweep& b) const {
   return d >= contact && d - contact >= *min_clearance;
 }
 
-void Encounters::meet_obstacles(std::span<const Sweep> sweeps,
-                                const std::function<Body(std::size_t)>& body,
-                                const std::vector<Body>& obstacles, const StepSpan& step) {
+void Encounters::meet_movers(std::span<const Sweep> sweeps,
+                             const std::function<Body(std::size_t)>& body,
+                             const std::vector<Body>& obstacles, const StepSpan& step) {
   for (const Body& obstacle : obstacles) {
     for (const NeighborHit& hit : grid_.gather(obstacle.position, -1, sweeps.size(), scratch_))
-      meet_obstacle(body(static_cast<std::size_t>(hit.index)), obstacle, step);
+      meet_mover(body(static_cast<std::size_t>(hit.index)), obstacle, step);
   }
 }
 
@@ -236,7 +236,7 @@ void Encounters::observe(std::span<const Sweep> sweeps,
     }
     if (!others.empty()) meet_company(sweeps, i, need, others, body, step);
   }
-  meet_obstacles(sweeps, body, obstacles, step);
+  meet_movers(sweeps, body, obstacles, step);
   if (step.moves) collision_robot_steps += count_distinct(colliding_);
 }
 

@@ -26,8 +26,8 @@ struct StepSpan {
 /// Pairs by their names; distinct ones over the run.
 struct Encounters {
   using Pairs = std::set<std::pair<std::uint64_t, std::uint64_t>>;
-  Pairs collided = {}, one_sided = {}, one_sided_in_motion = {}, with_obstacle = {},
-        with_obstacle_in_motion = {};
+  Pairs collided = {}, one_sided = {}, one_sided_in_motion = {}, with_mover = {},
+        with_mover_in_motion = {};
   std::optional<double> min_clearance = {};         // m, of robots that avoid each other
   std::optional<double> first_collision_time = {};  // s, of such robots
   double overlap_depth = 0.0;                       // the deepest, as a part of r_A + r_B
@@ -55,9 +55,9 @@ struct Encounters {
 
   [[nodiscard]] bool changes_nothing(const Sweep& a, const Sweep& b) const;
   void meet(const Body& a, const Body& b, const StepSpan& step);
-  void meet_obstacle(const Body& robot, const Body& obstacle, const StepSpan& step);
-  void meet_obstacles(std::span<const Sweep> sweeps, const std::function<Body(std::size_t)>& body,
-                      const std::vector<Body>& obstacles, const StepSpan& step);
+  void meet_mover(const Body& robot, const Body& obstacle, const StepSpan& step);
+  void meet_movers(std::span<const Sweep> sweeps, const std::function<Body(std::size_t)>& body,
+                   const std::vector<Body>& obstacles, const StepSpan& step);
   void list_company(std::uint64_t roster, double need, double farthest);
   void append_company(std::size_t robot, double reach);
   void meet_company(std::span<const Sweep> sweeps, std::size_t robot, double need,

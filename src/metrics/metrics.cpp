@@ -53,8 +53,8 @@ void add_encounters(const Encounters& encounters, RunSummary& summary) {
   summary.collision_pairs = number(encounters.collided);
   summary.one_sided_collisions = number(encounters.one_sided);
   summary.one_sided_collisions_in_motion = number(encounters.one_sided_in_motion);
-  summary.mover_collisions = number(encounters.with_obstacle);
-  summary.mover_collisions_in_motion = number(encounters.with_obstacle_in_motion);
+  summary.mover_collisions = number(encounters.with_mover);
+  summary.mover_collisions_in_motion = number(encounters.with_mover_in_motion);
   summary.metrics.collision_robot_steps = encounters.collision_robot_steps;
   summary.metrics.overlap_depth = encounters.overlap_depth;
 }
@@ -170,7 +170,7 @@ void Metrics::State::observe_step(const Simulation& simulation, const FleetView&
   if (started && settings.execution) observe_bodies(fleet);
   sweeps.resize(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) sweeps[k] = sweep_of(fleet, step, rows[k]);
-  collect_obstacles(simulation.moving_obstacles(), step, obstacles);
+  collect_movers(simulation.moving_obstacles(), step, obstacles);
   collect_walls(simulation);
   encounters.observe(sweeps, [&](std::size_t k) { return body_of(fleet, step, rows[k]); }, roster,
                      obstacles, {last_time, duration, started, response});

@@ -27,10 +27,9 @@ void LastSeen::look_at(const Simulation& simulation, const FleetView& fleet) {
       wait.push_back(*waits), waiting.push_back(i);
   }
   const MovingObstacleView seen = simulation.moving_obstacles();
-  obstacles.clear();
+  movers.clear();
   for (std::size_t k = 0; k < seen.setup.size(); ++k) {
-    obstacles.push_back(
-        {seen.id[k].value, seen.position[k], seen.velocity[k], seen.setup[k].radius});
+    movers.push_back({seen.id[k].value, seen.position[k], seen.velocity[k], seen.setup[k].radius});
   }
 }
 
@@ -55,9 +54,8 @@ NotArrived LastSeen::describe(std::size_t robot, std::span<const RobotSetup> set
     if (i == robot || !avoids(self, setups[i])) continue;
     consider(robots[i].position, setups[i].radius, static_cast<std::int64_t>(robots[i].id.value));
   }
-  for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    consider(obstacles[k].position, obstacles[k].radius,
-             -1 - static_cast<std::int64_t>(obstacles[k].id));
+  for (std::size_t k = 0; k < movers.size(); ++k) {
+    consider(movers[k].position, movers[k].radius, -1 - static_cast<std::int64_t>(movers[k].id));
   }
   std::sort(near.begin(), near.end());
   for (std::size_t k = 0; k < std::min(near.size(), kMostHeld); ++k) {

@@ -21,12 +21,12 @@ struct LastSeen {
   std::vector<LastRobot> robots;
   std::vector<Simulation::Wait> wait;  // of robots at rest that wait
   std::vector<std::size_t> waiting;    // indices of these robots, ascending
-  struct LastObstacle {
+  struct LastMover {
     std::uint64_t id;
     Vec2 position, velocity;
     double radius;
   };
-  std::vector<LastObstacle> obstacles;
+  std::vector<LastMover> movers;
 
   void look_at(const Simulation& simulation, const FleetView& fleet);
   /// setups: of the robots last seen.

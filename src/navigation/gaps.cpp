@@ -59,7 +59,7 @@ class GapFinder {
       }
     }
     told_.first.push_back(static_cast<std::uint32_t>(told_.all.size()));
-    judge();
+    find_kinds();
     return std::move(told_);
   }
 
@@ -196,9 +196,9 @@ class GapFinder {
   // Judges the kinds. Both ends of a gap may have found it. Where routes cross there are also gaps
   // from corner to corner, which are not where any route is narrowest: another gap, no wider,
   // crosses them.
-  void judge() {
+  void find_kinds() {
     const double reach = range_of(grid_);
-    std::vector<std::uint32_t> numbers;  // of all gaps that may cross a judged one
+    std::vector<std::uint32_t> numbers;  // of all gaps that may cross one that is examined
     std::vector<Wall> lines;
     for (std::uint32_t k = 0; k < told_.all.size(); ++k) {
       const Gap& gap = told_.all[k];
@@ -208,7 +208,7 @@ class GapFinder {
     const ClearanceGrid near(lines, radii_.front());
     for (const std::uint32_t k : numbers) {
       if (before_ == nullptr || meets(zones_, told_.all[k], 2.0 * reach))
-        told_.kind[k] = kind_of(k, numbers, near), ++told_.judged;
+        told_.kind[k] = kind_of(k, numbers, near), ++told_.examined;
     }
   }
   ToldGaps::Kind kind_of(std::uint32_t number, const std::vector<std::uint32_t>& numbers,

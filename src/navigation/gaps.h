@@ -35,7 +35,7 @@ struct ToldGaps {
   std::vector<Kind> kind;  // of each
   // of each wall's two ends, index into all; and the number of gaps at the end
   std::vector<std::uint32_t> first;
-  std::size_t judged = 0;  // number of gaps with a newly found kind
+  std::size_t examined = 0;  // number of gaps with a newly found kind
 
   /// Indices into `all`.
   [[nodiscard]] std::vector<std::uint32_t> numbers_of(Kind which) const;

@@ -69,7 +69,7 @@ class Passages {
   struct Work {
     std::size_t gaps = 0, pairs = 0;
   };
-  [[nodiscard]] Work work() const { return {told_.judged, pairs_.tested}; }
+  [[nodiscard]] Work work() const { return {told_.examined, pairs_.tested}; }
   [[nodiscard]] bool empty() const { return all_.empty(); }
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   [[nodiscard]] const Passage& operator[](std::uint32_t number) const { return all_[number]; }

@@ -105,8 +105,8 @@ Plan with_next_velocity(const Planner& planner, const Robot& robot, Plan plan);
 
 /// Planner::plan_among_movers().
 template <typename Trace>
-Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
-                            std::span<const Neighbor> obstacles, std::span<const Wall> walls,
-                            PlanWorkspace::Scratch& scratch, Trace trace);
+Plan decide_among_movers(const Planner& planner, const Robot& robot,
+                         std::span<const Neighbor> obstacles, std::span<const Wall> walls,
+                         PlanWorkspace::Scratch& scratch, Trace trace);
 
 }  // namespace avo::inline planner

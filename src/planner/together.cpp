@@ -76,8 +76,8 @@ bool decides_otherwise(const Planner& planner, const Tile& tile, std::size_t i,
   const bool has_movers = tile.neighbors.has_movers || avoids_union(options.method);
   if (!has_movers || flies(robots, i) || !is_among_movers(options, neighbors)) return false;
   list(neighbors, scratch.listed);
-  *tile.plan[i] = decide_among_obstacles(planner, robots.robot(i), scratch.listed, tile.walls_of(i),
-                                         scratch, trace);
+  *tile.plan[i] = decide_among_movers(planner, robots.robot(i), scratch.listed, tile.walls_of(i),
+                                      scratch, trace);
   *tile.detour[i] = {};
   remember(*tile.plan[i], *tile.detour[i]);
   return true;

@@ -68,12 +68,12 @@ struct Recorder {
   /// The certificate is asked for the proposal, or for a velocity off the route.
   void asks(Vec2 proposal) const;
   void asks_off(Vec2 detour) const;
-  /// The constraints refuse the path that was last judged.
+  /// The constraints refuse the path that was last tested.
   void is_refused(const StepLaw& law, const CertificateConstraints& constraints) const;
   /// The constraints refuse that step of a robot that flies.
   void is_refused(const Robot& robot, const FlightConstraints& constraints,
                   const FlightStep& step) const;
-  /// keep_evasion() has judged the plan.
+  /// keep_evasion() has tested the plan.
   void evades(const CertificateLaw& law, const Robot& robot, std::span<const Neighbor> neighbors,
               EvasionWorkspace& workspace, const Plan& plan) const;
 };

@@ -130,7 +130,7 @@ void carry_on(World& world, Instant instant) {
     std::pop_heap(later.begin(), later.end(), std::greater<>());
     later.pop_back();
   }
-  world.obstacles.advance(seconds(instant - world.now), seconds(instant));
+  world.movers.advance(seconds(instant - world.now), seconds(instant));
   world.before = world.now;
   world.now = instant;
   world.is_current = false;

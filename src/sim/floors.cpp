@@ -25,7 +25,7 @@ std::uint32_t floor_for(World& world, LayerSet robot) {
   StaticWorld& statics = world.statics;
   const std::size_t number = statics.floors.size();
   Floor floor = statics.floor_for(robot);
-  Routes routes(route_rules_of(world.settings), floor.walls, world.obstacles.resting());
+  Routes routes(route_rules_of(world.settings), floor.walls, world.movers.resting());
   std::vector<std::uint32_t> floors = world.floor;
   if (floors.empty()) floors.assign(world.fleet.size(), 0);
   statics.floors.reserve(number + 1), world.routes.reserve(number + 1);
@@ -46,7 +46,7 @@ FloorRoutes routes_among(const World& world, const StaticWorld& statics) {
     planned.before[planned.floor[rank - 1]] = world.floor_of(world.fleet.slot_of[rank - 1]);
   for (std::size_t k = 0; k < statics.floors.size(); ++k)
     planned.routes.emplace_back(route_rules_of(world.settings), statics.floors[k].walls,
-                                world.obstacles.resting(), &world.routes[planned.before[k]]);
+                                world.movers.resting(), &world.routes[planned.before[k]]);
   if (has_routes(statics, planned.routes))
     planned.travels = plan_travels(planned.routes, world.fleet, planned.floor,
                                    world.settings.arrival_distance, world.travels);

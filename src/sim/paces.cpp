@@ -59,7 +59,7 @@ OwnPace World::pace_of(const RobotSetup& setup, bool may_replace) {
   if (const auto known = known_pace(*this, key))
     return {*known, setup.time_horizon, setup.arrival_distance};
   PlannerOptions options = planner_options(settings, setup);
-  options.wall_range = wall_range(!obstacles.setup.empty());
+  options.wall_range = wall_range(!movers.setup.empty());
   // where there are more paces than robots, some are unused
   const bool replaces = may_replace && paces.size() > fleet.size() + 1;
   const std::size_t index = replaces ? unused_pace(*this) : paces.size();

@@ -202,7 +202,7 @@ std::vector<RobotId> Simulation::unreachable() const {
 
 std::uint64_t Simulation::state_hash() const {
   state_->catch_up();
-  const std::uint64_t present = hash_of(state_->fleet, state_->obstacles, state_->steps);
+  const std::uint64_t present = hash_of(state_->fleet, state_->movers, state_->steps);
   const std::uint64_t bodies = hash_of(state_->fleet.bases, present);
   const std::uint64_t hash = state_->senses.remember() ? hash_of(state_->senses, bodies) : bodies;
   return state_->statics.id.empty() ? hash : mixed(hash, state_->statics.hash);

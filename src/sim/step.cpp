@@ -120,8 +120,8 @@ void step_near(World& world) {
   Worker& worker = world.workers[0];
   worker.clock.start();
   find_shared_goals(world);
-  if (!world.obstacles.setup.empty())
-    world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
+  if (!world.movers.setup.empty())
+    world.mover_grid.build(world.movers.position, world.sensing_radius);
   worker.clock.lap(Stage::index);
   world.summary.is_fast = false;
   collect_due(world);
@@ -147,7 +147,7 @@ void step_together(World& world, Executor& executor) {
   }
   move_as_told(world);
   const double time_step = world.settings.time_step;
-  world.obstacles.advance(time_step, static_cast<double>(world.steps + 1) * time_step);
+  world.movers.advance(time_step, static_cast<double>(world.steps + 1) * time_step);
 }
 
 // Removes the robots that have passed their goals, and do not stay.

@@ -49,7 +49,7 @@ constexpr std::size_t kMostAhead = 1024;  // memory for more is allocated when i
 
 // The number of neighbors that a robot may sense, among those with reserved room.
 std::size_t most_seen(const World& world) {
-  const std::size_t all = world.fleet.size() + world.obstacles.setup.size();
+  const std::size_t all = world.fleet.size() + world.movers.setup.size();
   const std::size_t seen = std::min(all, kMostAhead);
   return world.all_matter() ? seen : std::min(seen, world.most_nearest());
 }
@@ -57,8 +57,8 @@ std::size_t most_seen(const World& world) {
 // Reserves room for so many within the sensing radius: a crowd that grows during a run allocates
 // nothing.
 void reserve(const World& world, Worker& worker) {
-  const std::size_t robots = world.fleet.size(), obstacles = world.obstacles.setup.size();
-  worker.obstacles.reserve(1, std::min(obstacles, kMostAhead));
+  const std::size_t robots = world.fleet.size(), movers = world.movers.setup.size();
+  worker.movers.reserve(1, std::min(movers, kMostAhead));
   const std::size_t seen = most_seen(world);
   worker.outliers.reserve(1, seen / 4);
   worker.again.reserve(1, seen);
@@ -106,7 +106,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
     : settings(scenario),
       sensing_radius(sensing_radius_of(scenario)),
       paces{Pace(planner_options(scenario))},
-      obstacles(scenario.moving_obstacles),
+      movers(scenario.moving_obstacles),
       statics(static_world(scenario)),
       claims(statics.floors.size()),
       executor(std::move(steps_by)),
@@ -128,7 +128,7 @@ World::World(const Scenario& scenario, std::shared_ptr<Executor> steps_by)
     senses.add(moment());
   }
   for (const Floor& own : statics.floors)
-    routes.emplace_back(route_rules_of(scenario), own.walls, obstacles.resting());
+    routes.emplace_back(route_rules_of(scenario), own.walls, movers.resting());
   floor = floors_of(fleet, statics);
   start_clocks(*this, scenario);
   senses.note(fleet, steps);

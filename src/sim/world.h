@@ -44,7 +44,7 @@ struct alignas(128) Worker {
   std::vector<NeighborQuery> queries;
   std::vector<std::uint32_t> deciding;  // slots of a tile, where some robots are parked
   std::vector<std::uint32_t> staying;   // slots in a tile of robots that stop at shared goals
-  SearchScratch search, obstacles;
+  SearchScratch search, movers;
   SearchScratch outliers, again;  // for robots near outliers, one at a time
   LegScratch legs;
   std::vector<Heading> headings;    // by routes alone, of a tile, where some share goals
@@ -108,7 +108,7 @@ struct World {
   Fleet fleet;
   std::optional<Kinds> kinds;  // of the fleet, once a robot has been added
   Bystanders bystanders;       // for edits between two steps
-  ObstacleColumns obstacles;
+  MoverColumns movers;
   Senses senses;
   StaticWorld statics;
   std::vector<Routes> routes;        // of each floor
@@ -126,7 +126,7 @@ struct World {
   Snapshot snapshot;
   Outliers outliers;
   ExternalChoices external;
-  PointGrid obstacle_grid;
+  PointGrid mover_grid;
   std::shared_ptr<Executor> executor;
   SerialExecutor serial;
   std::vector<Worker> workers;             // as many as the executor has

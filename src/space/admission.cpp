@@ -67,9 +67,9 @@ HalfSpace tangent(const Robot& robot, const Worst& worst, const StepLaw& law,
 void append_cuts_of(const Robot& robot, const StepLaw& law, const Constraints& constraints,
                     const ConstraintColumns& columns, bool has_cones,
                     std::vector<HalfSpace>& cuts) {
-  for (std::size_t first = 0; first < columns.judged;) {
+  for (std::size_t first = 0; first < columns.tested;) {
     std::size_t last = first;
-    while (last < columns.judged && columns.neighbor[last] == columns.neighbor[first]) ++last;
+    while (last < columns.tested && columns.neighbor[last] == columns.neighbor[first]) ++last;
     const Worst worst = worst_of(constraints, columns, has_cones, law, first, last);
     if (worst.coefficient < 0.0 && std::isfinite(worst.coefficient))
       cuts.push_back(tangent(robot, worst, law, columns, constraints.path));
@@ -79,7 +79,7 @@ void append_cuts_of(const Robot& robot, const StepLaw& law, const Constraints& c
 
 bool keeps_movers(const StepLaw& law, Asked asked_for, Constraints& constraints) {
   MoverConstraints& movers = constraints.movers;
-  movers.columns.judged = 0;
+  movers.columns.tested = 0;
   if (!movers.counts) return true;
   const bool kept = kernels().keeps(constraints.own, constraints.path, law, movers.has_cones,
                                     asked_for, movers.columns);
@@ -93,7 +93,7 @@ bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked as
   if (constraints.invariant.unknown) return false;
   append_needed(robot, next_velocity, law, constraints);
   if (constraints.columns.count == 0 && !constraints.movers.counts) {
-    constraints.movers.columns.judged = 0;
+    constraints.movers.columns.tested = 0;
     constraints.path.next_velocity = next_velocity;
     return keeps_boxes(robot, next_velocity, law, constraints.boxes);
   }

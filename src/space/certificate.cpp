@@ -196,7 +196,7 @@ Braking braking_of(const Robot& robot, const StepLaw& law) {
 
 void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& law,
                        Constraints& constraints) {
-  constraints.columns.count = constraints.columns.judged = 0;
+  constraints.columns.count = constraints.columns.tested = 0;
   constraints.own_columns.count = constraints.own_columns.filled = 0;
   constraints.waiting.clear();
   constraints.invariant = {.slack = std::numeric_limits<double>::infinity()};

@@ -31,7 +31,7 @@ struct Constraints {
   Invariant invariant;
   MoverConstraints movers;  ///< by begin_movers(), after begin_constraints()
   BoxConstraints boxes;
-  CandidatePath path;  ///< of the last judged candidate
+  CandidatePath path;  ///< of the last tested candidate
   bool has_cones = false;
 };
 
@@ -47,7 +47,7 @@ void begin_constraints(const Robot& robot, const Braking& own, const StepLaw& la
                        Constraints& constraints);
 
 /// Collects the constraints of those of these bodies that can refuse a candidate, and of boxes. The
-/// bodies have to stay where they are as long as candidates are judged.
+/// bodies have to stay where they are as long as candidates are tested.
 void collect_constraints(const Robot& robot, const Bodies& bodies, std::span<const NearBody> near,
                          std::span<const Box> boxes, const StepLaw& law, Constraints& constraints);
 
@@ -63,7 +63,7 @@ bool admits(const Robot& robot, Vec3 next_velocity, const StepLaw& law, Asked as
 /// [v_1] m/s: full braking.
 Vec3 backup_velocity(const Robot& robot, const StepLaw& law);
 
-/// Appends for each neighbor, moving obstacle and box that refuses the last judged candidate the
+/// Appends for each neighbor, moving obstacle and box that refuses the last tested candidate the
 /// tangent of its worst constraint, a half-space in v_1 in the robot's own space.
 void append_cuts(const Robot& robot, const StepLaw& law, const Constraints& constraints,
                  std::vector<HalfSpace>& cuts);

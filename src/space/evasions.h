@@ -68,7 +68,7 @@ void begin_evasions(EvasionSearch& search);
 /// [v_1] m/s, the next velocity of an evasive maneuver towards the velocity w.
 Vec3 next_towards(const EvasionSearch& search, const EvasionState& from, Vec3 w);
 
-/// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below judge
+/// Returns whether the first step, to v_1, keeps clear, (C1) and (C3). The functions below test
 /// the motion after it.
 bool take_first_step(EvasionSearch& search, Vec3 next_velocity);
 /// Returns whether A keeps clear, (C1) to (C3), if it brakes.

@@ -41,7 +41,7 @@ struct SpaceKernels {
   void (*fill_braking)(const StepLaw&, std::size_t first, std::size_t last, Bodies&);
   void (*find_seen)(const Viewer&, const Bodies&, std::span<const Run>, SeenColumns&);
   // look_kernel.h
-  void (*judge_seen)(const Viewer&, const Bodies&, Looked&);
+  void (*examine_seen)(const Viewer&, const Bodies&, Looked&);
   void (*find_pairs)(const Viewer&, const Vec3* velocity, const Bodies&, Looked&);
   // half_space_kernel.h
   void (*find_frames)(const SpacePairs&, HalfSpaces&);

@@ -59,7 +59,7 @@ void look_at(Viewer& look, const Bodies& bodies, std::span<const Run> runs,
   if (max_neighbors)
     limit_to_nearest(static_cast<std::size_t>(*max_neighbors), bodies, looked.seen, looked.nearest,
                      look);
-  kernels().judge_seen(look, bodies, looked);
+  kernels().examine_seen(look, bodies, looked);
   put_in_order(bodies, looked);
 }
 

@@ -135,9 +135,9 @@ AVO_KERNEL void push(Real place, std::uint32_t lanes, std::vector<std::uint32_t>
 /// The pairs of these bodies that can refuse a candidate, where they are as in the plane: see
 /// collect_constraints().
 template <typename Real, bool kUniform>
-AVO_KERNEL void judge_near(const space::Viewer& look, const space::Bodies& bodies,
-                           std::span<const std::uint32_t> places,
-                           std::vector<space::NearBody>& near) {
+AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bodies,
+                             std::span<const std::uint32_t> places,
+                             std::vector<space::NearBody>& near) {
   const space::Robot& robot = look.robot;
   const PackRobot<Real, 3> self{constant<Real>(robot.position),
                                 constant<Real>(robot.velocity),
@@ -199,8 +199,8 @@ AVO_KERNEL void judge_near(const space::Viewer& look, const space::Bodies& bodie
 }
 
 template <typename Real, bool kUniform>
-AVO_KERNEL void judge_all(const space::Viewer& look, const space::Bodies& bodies,
-                          space::Looked& looked) {
+AVO_KERNEL void examine_all(const space::Viewer& look, const space::Bodies& bodies,
+                            space::Looked& looked) {
   const PackLook<Real> a(look, bodies);
   const bool has_preferred = !(look.robot.preferred_velocity == Vec3{});
   const Real traffic_squared = square(Real(kFarther) * a.traffic_range);
@@ -263,25 +263,25 @@ void find_pairs(const space::Viewer& look, const Vec3* velocity, const space::Bo
 }
 
 template <typename Real, bool kUniform>
-AVO_KERNEL void judge_seen(const space::Viewer& look, const space::Bodies& bodies,
-                           space::Looked& looked) {
-  judge_all<Real, kUniform>(look, bodies, looked);
+AVO_KERNEL void examine_seen(const space::Viewer& look, const space::Bodies& bodies,
+                             space::Looked& looked) {
+  examine_all<Real, kUniform>(look, bodies, looked);
   if (look.is_plain(bodies))
-    return judge_near<Real, kUniform>(look, bodies, looked.places, looked.near);
+    return examine_near<Real, kUniform>(look, bodies, looked.places, looked.near);
   for (const std::uint32_t place : looked.places)
     looked.near.push_back({place, bodies.number[place]});
 }
 
 /// Sorts out what the bodies that are seen mean for A.
 template <typename Real>
-void judge_seen(const space::Viewer& look, const space::Bodies& bodies, space::Looked& looked) {
+void examine_seen(const space::Viewer& look, const space::Bodies& bodies, space::Looked& looked) {
   looked.ahead = 0.0;
   if (looked.seen.count == 0) return;
   looked.places.clear();
   if (bodies.is_uniform)
-    judge_seen<Real, true>(look, bodies, looked);
+    examine_seen<Real, true>(look, bodies, looked);
   else
-    judge_seen<Real, false>(look, bodies, looked);
+    examine_seen<Real, false>(look, bodies, looked);
 }
 
 AVO_END_KERNELS

@@ -78,7 +78,7 @@ void collect(const BrakingPair& pair, const Mover& mover, int index, const PairS
 }  // namespace
 
 void MoverConstraints::clear() {
-  columns.count = columns.judged = 0;
+  columns.count = columns.tested = 0;
   own_columns.count = own_columns.filled = 0;
   invariant = {.slack = std::numeric_limits<double>::infinity()};
   stays_at_rest = has_cones = counts = false;

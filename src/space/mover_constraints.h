@@ -18,7 +18,7 @@ struct MoverConstraints {
   Invariant invariant;
   bool stays_at_rest = false;  ///< so near a moving obstacle that it may not begin to move
   bool has_cones = false;
-  bool counts = false;  ///< whether candidates are judged beside moving obstacles
+  bool counts = false;  ///< whether candidates are tested beside moving obstacles
 
   void clear();
 

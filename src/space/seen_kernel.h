@@ -145,12 +145,12 @@ AVO_KERNEL PackSeen<Real> seen_at(const space::SeenColumns& all, std::size_t k) 
   return seen;
 }
 
-/// Calls judge(seen, body, field) for all bodies that are seen, many at once. field: the values of
-/// a column. Where all bodies are alike, they are looked at once.
-template <typename Real, bool kUniform, typename Judge>
+/// Calls examine(seen, body, field) for all bodies that are seen, many at once. field: the values
+/// of a column. Where all bodies are alike, they are looked at once.
+template <typename Real, bool kUniform, typename Examine>
 AVO_KERNEL void for_all(const PackLook<Real>& a, const space::Viewer& look,
                         const space::Bodies& bodies, const space::SeenColumns& all,
-                        const Judge& judge) {
+                        const Examine& examine) {
   const auto same = [](const std::vector<double>& column) { return Real(column[0]); };
   PackBody<Real> body = body_of(a, look, bodies, same);
   for (std::size_t k = 0; k < all.count; k += Real::kLanes) {
@@ -159,7 +159,7 @@ AVO_KERNEL void for_all(const PackLook<Real>& a, const space::Viewer& look,
       return lookup(column.data(), seen.place);
     };
     if constexpr (!kUniform) body = body_of(a, look, bodies, field);
-    judge(seen, body, field);
+    examine(seen, body, field);
   }
 }
 

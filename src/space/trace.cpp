@@ -103,10 +103,10 @@ struct Sources {
   }
 };
 
-// The neighbors or moving obstacles with constraints that refuse the path that was judged.
+// The neighbors or moving obstacles with constraints that refuse the path that was tested.
 std::vector<int> refusing(const ConstraintColumns& columns) {
   std::vector<int> bodies;
-  for (std::size_t k = 0; k < columns.judged; ++k) {
+  for (std::size_t k = 0; k < columns.tested; ++k) {
     const int body = static_cast<int>(columns.neighbor[k]);
     if (columns.coefficient[k] < 0.0 && (bodies.empty() || bodies.back() != body))
       bodies.push_back(body);
@@ -186,7 +186,7 @@ void Recorder::is_refused() const {
 void Recorder::is_refused(const Robot& robot, Vec3 candidate, const StepLaw& law,
                           Constraints& constraints) const {
   std::vector<Cause>& causes = *record->asked;
-  admits(robot, candidate, law, Asked::all, constraints);  // so that all of them are judged
+  admits(robot, candidate, law, Asked::all, constraints);  // so that all of them are tested
   for (const int neighbor : refusing(constraints.columns)) add(causes, {neighbor, -1, -1});
   for (const int mover : refusing(constraints.movers.columns)) add(causes, {-1, -1, mover});
   for (std::size_t k = 0; k < record->movers.size() && constraints.movers.counts; ++k) {

@@ -38,7 +38,7 @@ struct AVO_LOCAL Recorder {
   void asks_off(Vec3 detour) const;
   /// What was asked for last is beyond the robot's own limits.
   void is_refused() const;
-  /// The constraints refuse the candidate that was last judged, m/s.
+  /// The constraints refuse the candidate that was last tested, m/s.
   void is_refused(const Robot& robot, Vec3 candidate, const StepLaw& law,
                   Constraints& constraints) const;
   /// keep_evasion() has replaced the choice.

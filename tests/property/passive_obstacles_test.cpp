@@ -63,8 +63,8 @@ bool is_free(const Scene& scene, Vec2 u) {
 
 PassiveChoice choose(const Scene& scene) {
   PassiveWorkspace workspace;
-  return choose_among_obstacles(scene.obstacles, scene.acceleration, scene.speed, scene.preferred,
-                                workspace);
+  return choose_among_movers(scene.obstacles, scene.acceleration, scene.speed, scene.preferred,
+                             workspace);
 }
 
 // Free samples of the discs, and of shrinking neighborhoods of the choice, that beat it.
@@ -84,7 +84,7 @@ double nearest_sample(Random& random, const Scene& scene, Vec2 around, int count
   return best;
 }
 
-// Properties (1) and (2) of choose_among_obstacles.
+// Properties (1) and (2) of choose_among_movers.
 TEST(PassiveObstacles, P2_free_choice_is_safe_and_no_sample_is_nearer) {
   Random random(14);
   int moved = 0, jammed = 0;
@@ -283,8 +283,8 @@ TEST(PassiveObstacles, same_input_gives_the_same_bits) {
   for (int k = 0; k < 100; ++k) {
     const Scene scene = random_scene(random, 1 + random.below(6));
     const PassiveChoice fresh = choose(scene);
-    const PassiveChoice again = choose_among_obstacles(scene.obstacles, scene.acceleration,
-                                                       scene.speed, scene.preferred, used);
+    const PassiveChoice again = choose_among_movers(scene.obstacles, scene.acceleration,
+                                                    scene.speed, scene.preferred, used);
     EXPECT_EQ(fresh.velocity, again.velocity);
     EXPECT_EQ(fresh.violation, again.violation);
   }

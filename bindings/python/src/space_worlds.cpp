@@ -27,7 +27,7 @@ struct SpaceWorld {
   std::int64_t steps = 0;                             // since it was placed
 
   /// Sets where the moving obstacles are.
-  void move_obstacles(double time_step) {
+  void move_movers(double time_step) {
     movers.clear();
     for (const avo::space::MovingObstacle& obstacle : obstacles)
       movers.push_back(mover_at(obstacle, static_cast<double>(steps) * time_step));
@@ -96,7 +96,7 @@ void SpaceWorlds::place(std::size_t world, const avo::space::Scenario& scenario)
   }
   placed.boxes = scenario.boxes;
   placed.obstacles = scenario.moving_obstacles;
-  placed.move_obstacles(planner_.options().time_step);
+  placed.move_movers(planner_.options().time_step);
   all_[world] = std::move(placed);
 }
 
@@ -138,7 +138,7 @@ void SpaceWorlds::step(SpaceWorld& world, std::span<const Vec3> preferred) {
     robot.velocity = next_[i];
   }
   ++world.steps;
-  world.move_obstacles(h);
+  world.move_movers(h);
 }
 
 void put(float* row, Vec3 v) {

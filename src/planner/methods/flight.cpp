@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tries controls, beginning with the wanted ones; the motion that follows from them is judged.
+// Tries controls, beginning with the wanted ones; the motion that follows from them is tested.
 #include "planner/methods/flight.h"
 
 #include <algorithm>

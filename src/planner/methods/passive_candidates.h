@@ -21,7 +21,7 @@ struct Candidates {
 };
 
 /// Offers the preferred velocity, a fan of velocities and the boundary points. Then it descends
-/// from `best` by compass steps. The call offer(u) judges the velocity nearest to u in both discs.
+/// from `best` by compass steps. The call offer(u) tests the velocity nearest to u in both discs.
 /// If this velocity is better, the call takes it as `best`, and it returns whether it did.
 template <typename Offer>
 void try_candidates(const Candidates& candidates, const Vec2& best, const Offer& offer) {

@@ -217,10 +217,9 @@ PassiveChoice least_unsafe(std::span<const Limit> limits, std::span<const CurveP
 
 }  // namespace
 
-PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
-                                     const Disc& acceleration, const Disc& speed, Vec2 preferred,
-                                     PassiveWorkspace& workspace,
-                                     std::span<const HalfPlane> walls) {
+PassiveChoice choose_among_movers(std::span<const PassiveObstacle> obstacles,
+                                  const Disc& acceleration, const Disc& speed, Vec2 preferred,
+                                  PassiveWorkspace& workspace, std::span<const HalfPlane> walls) {
   const Lens lens = make_lens(acceleration, speed.radius);
   if (lens.empty) return {{}, lens.gap, PassiveState::discs_disjoint};
   auto& [limits, curves, points, pieces] = workspace;

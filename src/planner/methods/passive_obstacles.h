@@ -30,9 +30,9 @@ struct PassiveChoice {
 ///       violation is the depth in the disc of the time of closest approach. A pair that overlaps
 ///       already is to be parted along p in the shortest window within reach. walls: half-planes in
 ///       v' to keep to as well.
-PassiveChoice choose_among_obstacles(std::span<const PassiveObstacle> obstacles,
-                                     const Disc& acceleration, const Disc& speed, Vec2 preferred,
-                                     PassiveWorkspace& workspace,
-                                     std::span<const HalfPlane> walls = {});
+PassiveChoice choose_among_movers(std::span<const PassiveObstacle> obstacles,
+                                  const Disc& acceleration, const Disc& speed, Vec2 preferred,
+                                  PassiveWorkspace& workspace,
+                                  std::span<const HalfPlane> walls = {});
 
 }  // namespace avo::inline planner

@@ -27,9 +27,9 @@ double time_to_collision(const PassiveObstacle& obstacle, double time_horizon, V
 
 /// Where no velocity is free: the least w/tc + |v_pref - v'| (the paper's penalty), with tc the
 /// first time to collision with any obstacle. The candidates are those that
-/// choose_among_obstacles() has left in `workspace`. The paper draws them at random. Lines, of
+/// choose_among_movers() has left in `workspace`. The paper draws them at random. Lines, of
 /// walls and of pairs in contact, come first: they are violated as little as possible. The
-/// violation is that of choose_among_obstacles().
+/// violation is that of choose_among_movers().
 PassiveChoice least_penalty(std::span<const PassiveObstacle> obstacles, const Disc& speed,
                             double time_horizon, Vec2 preferred, const PassiveWorkspace& workspace);
 

@@ -69,7 +69,7 @@ void move_in(HalfPlane& cut, const CandidatePath& refused, double u) {
   cut.offset += moved_in(refused.speed, violation(cut, refused.next_velocity), u);
 }
 
-// For every neighbor that refuses the judged path of the robot or one of its discs, appends the
+// For every neighbor that refuses the tested path of the robot or one of its discs, appends the
 // tangent of its worst constraint.
 void append_trajectory_cuts(const Proposals& proposals, const TrajectoryConstraints& constraints,
                             const CandidatePath& path) {
@@ -109,7 +109,7 @@ void append_cuts_of_walls(const Proposals& proposals, const WallConstraints& wal
     move_in(hard[k], path, proposals.acceleration.radius);
 }
 
-// Appends the cuts of all constraints that refuse the last judged path.
+// Appends the cuts of all constraints that refuse the last tested path.
 void append_cuts(const Proposals& proposals) {
   const CertificateConstraints& constraints = proposals.workspace.constraints;
   append_trajectory_cuts(proposals, constraints.trajectories, constraints.path);

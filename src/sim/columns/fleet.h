@@ -14,7 +14,7 @@
 #include "robots/model.h"
 #include "robots/motion.h"
 #include "sim/bases/bases.h"
-#include "sim/columns/obstacle_columns.h"
+#include "sim/columns/mover_columns.h"
 
 namespace avo::inline sim {
 
@@ -270,6 +270,6 @@ inline Vec2 course_of(const Flight& flight, Vec2 position, Vec2 goal, double pre
 }
 
 /// Order-dependent 64-bit hash of the bits of all positions, velocities and headings.
-std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps);
+std::uint64_t hash_of(const Fleet& fleet, const MoverColumns& movers, std::int64_t steps);
 
 }  // namespace avo::inline sim

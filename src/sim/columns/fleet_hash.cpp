@@ -28,7 +28,7 @@ std::uint64_t hashed(std::uint64_t hash, const OwnClock& clock) {
 
 }  // namespace
 
-std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std::int64_t steps) {
+std::uint64_t hash_of(const Fleet& fleet, const MoverColumns& movers, std::int64_t steps) {
   std::uint64_t hash = mixed(0, static_cast<std::uint64_t>(steps));
   for (const std::uint32_t i : fleet.slot_of) {
     hash = mixed(hash, fleet.id[i].value);
@@ -44,10 +44,9 @@ std::uint64_t hash_of(const Fleet& fleet, const ObstacleColumns& obstacles, std:
       hash = hashed(hash, own->has_arrived ? 1.0 : 0.0);
     }
   }
-  for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
-    hash = hashed(hashed(hash, obstacles.position[k]), obstacles.velocity[k]);
-    if (!obstacles.setup[k].path.empty())
-      hash = mixed(hash, std::uint64_t{obstacles.next_point[k]});
+  for (std::size_t k = 0; k < movers.setup.size(); ++k) {
+    hash = hashed(hashed(hash, movers.position[k]), movers.velocity[k]);
+    if (!movers.setup[k].path.empty()) hash = mixed(hash, std::uint64_t{movers.next_point[k]});
   }
   return hash;
 }

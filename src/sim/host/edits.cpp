@@ -52,7 +52,7 @@ void join(World& world, const RobotSetup& setup, RobotId robot) {
 }
 
 void go_around_resting(World& world) {
-  if (world.obstacles.rest_as(world.routes.front().resting())) return;
+  if (world.movers.rest_as(world.routes.front().resting())) return;
   catch_up(world);
   adopt(world, routes_among(world, world.statics));
 }

@@ -32,20 +32,20 @@ MovingObstacle checked(const World& world, const MovingObstacle& obstacle, Movin
 }
 
 // Robots go around movers at rest, so that routes may change.
-void replace(World& world, ObstacleColumns obstacles) {
-  std::swap(world.obstacles, obstacles);
+void replace(World& world, MoverColumns movers) {
+  std::swap(world.movers, movers);
   try {
     go_around_resting(world);
   } catch (...) {
-    std::swap(world.obstacles, obstacles);
+    std::swap(world.movers, movers);
     throw;
   }
 }
 
 // The same where robots may count on other limits, or on the first mover.
-void adopt(World& world, ObstacleColumns obstacles, double sensing_radius) {
-  std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
-  replace(world, std::move(obstacles));
+void adopt(World& world, MoverColumns movers, double sensing_radius) {
+  std::vector<Pace> paces = paces_among(world, !movers.setup.empty());
+  replace(world, std::move(movers));
   std::swap(world.paces, paces);
   world.sensing_radius = sensing_radius;
   world.changed = true;
@@ -65,42 +65,42 @@ bool only_moves(const MovingObstacle& now, const MovingObstacle& changed) {
 }  // namespace
 
 MovingObstacleId add_moving_obstacle(World& world, const MovingObstacle& obstacle) {
-  const MovingObstacleId id{world.obstacles.next_id};
+  const MovingObstacleId id{world.movers.next_id};
   catch_up(world);
   const MovingObstacle setup = checked(world, obstacle, id);
   const PathWalk start = start_of(world, setup);
   if (!world.kinds) world.kinds.emplace(world.fleet);
-  ObstacleColumns obstacles = world.obstacles;
-  obstacles.add(setup, start);
-  const double sensing_radius = sensing_radius_among(world, obstacles.setup, name_of(id));
+  MoverColumns movers = world.movers;
+  movers.add(setup, start);
+  const double sensing_radius = sensing_radius_among(world, movers.setup, name_of(id));
   check_mover_start(world, setup, start, name_of(id));
-  adopt(world, std::move(obstacles), sensing_radius);
+  adopt(world, std::move(movers), sensing_radius);
   return id;
 }
 
 void change_moving_obstacle(World& world, MovingObstacleId id, const MovingObstacle& obstacle) {
-  const std::size_t index = world.obstacles.find(id);
+  const std::size_t index = world.movers.find(id);
   const MovingObstacle setup = checked(world, obstacle, id);
   PathWalk start = start_of(world, setup);
-  const MovingObstacle& now = world.obstacles.setup[index];
-  if (setup.path == now.path) start.next_point = world.obstacles.next_point[index];
+  const MovingObstacle& now = world.movers.setup[index];
+  if (setup.path == now.path) start.next_point = world.movers.next_point[index];
   const bool is_simple = only_moves(now, setup);
-  ObstacleColumns obstacles = world.obstacles;
-  obstacles.position[index] = start.position, obstacles.velocity[index] = start.velocity;
-  obstacles.next_point[index] = start.next_point, obstacles.setup[index] = setup;
-  if (is_simple) return replace(world, std::move(obstacles));
-  obstacles.look_over();
+  MoverColumns movers = world.movers;
+  movers.position[index] = start.position, movers.velocity[index] = start.velocity;
+  movers.next_point[index] = start.next_point, movers.setup[index] = setup;
+  if (is_simple) return replace(world, std::move(movers));
+  movers.look_over();
   if (!world.kinds) world.kinds.emplace(world.fleet);
-  const double radius = sensing_radius_among(world, obstacles.setup, name_of(id));
-  adopt(world, std::move(obstacles), radius);
+  const double radius = sensing_radius_among(world, movers.setup, name_of(id));
+  adopt(world, std::move(movers), radius);
 }
 
 void remove_moving_obstacle(World& world, MovingObstacleId id) {
-  const std::size_t index = world.obstacles.find(id);
+  const std::size_t index = world.movers.find(id);
   catch_up(world);
-  ObstacleColumns obstacles = world.obstacles;
-  obstacles.remove(index);
-  adopt(world, std::move(obstacles), world.sensing_radius);
+  MoverColumns movers = world.movers;
+  movers.remove(index);
+  adopt(world, std::move(movers), world.sensing_radius);
 }
 
 }  // namespace avo::inline sim

@@ -25,13 +25,13 @@ double distance_to(const Wall& disc, Vec2 p) {
 void take_discs(const World& world, Nearby& nearby) {
   const Fleet& fleet = world.fleet;
   std::vector<Wall> discs;
-  discs.reserve(fleet.size() + world.obstacles.setup.size());
+  discs.reserve(fleet.size() + world.movers.setup.size());
   for (const std::uint32_t slot : fleet.slot_of)
     discs.push_back({fleet.position[slot], fleet.position[slot], fleet.traits[slot].radius});
   nearby.robots = discs.size();
-  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k)
-    discs.push_back({world.obstacles.position[k], world.obstacles.position[k],
-                     world.obstacles.setup[k].radius});
+  for (std::size_t k = 0; k < world.movers.setup.size(); ++k)
+    discs.push_back(
+        {world.movers.position[k], world.movers.position[k], world.movers.setup[k].radius});
   nearby.discs = ClearanceGrid(discs, 0.0);
 }
 
@@ -197,7 +197,7 @@ std::optional<Simulation::Hit> first_hit(const World& world, const Nearby& nearb
   } else if (disc < nearby.robots) {
     hit.robot = world.fleet.id[world.fleet.slot_of[disc]];
   } else {
-    hit.moving_obstacle = world.obstacles.id[disc - nearby.robots];
+    hit.moving_obstacle = world.movers.id[disc - nearby.robots];
   }
   return hit;
 }

@@ -109,7 +109,7 @@ bool Simulation::is_in_sight(Vec2 from, Vec2 to, double radius, LayerSet layers)
 }
 
 MovingObstacleView Simulation::moving_obstacles() const {
-  const ObstacleColumns& o = state_->obstacles;
+  const MoverColumns& o = state_->movers;
   return {o.position, o.velocity, o.setup, o.next_point, o.id};
 }
 

@@ -81,7 +81,7 @@ namespace {
 // The present robots, for checks that do not depend on their places.
 Scenario present_scene(const World& world) {
   Scenario scene = world.settings;
-  scene.moving_obstacles = world.obstacles.setup;
+  scene.moving_obstacles = world.movers.setup;
   scene.robots = world.kinds->examples();
   return scene;
 }

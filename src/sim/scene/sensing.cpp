@@ -81,7 +81,7 @@ double part_of(const MovingObstacle& obstacle, double seconds, double duration,
 
 // The robots that need more time or more length than all others: only they can be the worst for an
 // obstacle.
-std::vector<UnseenPart> worst_for_obstacles(std::vector<UnseenPart> parts) {
+std::vector<UnseenPart> worst_for_movers(std::vector<UnseenPart> parts) {
   std::stable_sort(parts.begin(), parts.end(), [](const UnseenPart& a, const UnseenPart& b) {
     return a.seconds != b.seconds ? a.seconds > b.seconds : a.length > b.length;
   });
@@ -123,7 +123,7 @@ void take_by_kind(const Scenario& scenario, const CertificateLaw& law,
   for (const auto& [key_a, of_a] : kinds) {
     const RobotSetup& a = robot(of_a.front());
     if (!keeps(scenario, a, law)) continue;
-    const std::vector<UnseenPart> front = worst_for_obstacles(of_a);
+    const std::vector<UnseenPart> front = worst_for_movers(of_a);
     for (const auto& [key_b, of_b] : kinds) {
       const RobotSetup& b = robot(of_b.front());
       const auto expected = expected_of(conduct_of(b, usual), conduct_of(a, usual));
@@ -172,7 +172,7 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
   std::erase_if(parts, [&](const UnseenPart& part) {
     return !keeps(scenario, scenario.robots[static_cast<std::size_t>(part.robot)], law);
   });
-  const std::vector<UnseenPart> front = worst_for_obstacles(parts);
+  const std::vector<UnseenPart> front = worst_for_movers(parts);
   for (std::size_t k = 0; k < scenario.moving_obstacles.size(); ++k) {
     for (const UnseenPart& part : front) {
       take(part, -1 - static_cast<int>(k),

@@ -113,10 +113,10 @@ StartCompany::StartCompany(const World& world, const RobotSetup& setup, RobotId 
     scene.robots.push_back(committed(world.fleet, other));
     id.push_back(world.fleet.id[other]);
   }
-  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
-    MovingObstacle& mover = scene.moving_obstacles.emplace_back(world.obstacles.setup[k]);
-    mover.position = world.obstacles.position[k];
-    mover.velocity = world.obstacles.velocity[k];
+  for (std::size_t k = 0; k < world.movers.setup.size(); ++k) {
+    MovingObstacle& mover = scene.moving_obstacles.emplace_back(world.movers.setup[k]);
+    mover.position = world.movers.position[k];
+    mover.velocity = world.movers.velocity[k];
   }
 }
 
@@ -249,7 +249,7 @@ bool is_in_the_way(World& world, const RobotSetup& setup, RobotId robot) {
 void check_start(const World& world, const RobotSetup& setup, RobotId robot) {
   if (world.settings.allow_broken_assumptions || !world.all_matter()) return;
   std::vector<std::size_t> others = others_near(world, setup, robot);
-  const bool is_alone = others.empty() && world.obstacles.setup.empty() &&
+  const bool is_alone = others.empty() && world.movers.setup.empty() &&
                         world.statics.obstacles.empty() && !world.statics.has_walls;
   if (is_alone && !exceeds(norm(setup.velocity), setup.max_speed)) return;
   StartCompany company(world, setup, robot, std::move(others));

@@ -49,7 +49,7 @@ void follow_path(const MovingObstacle& obstacle, PathWalk walk, std::int64_t ste
 }
 
 bool foresees(const World& world) {
-  return world.obstacles.has_paths && world.senses.are_exact() && !world.fleet.has_clocks &&
+  return world.movers.has_paths && world.senses.are_exact() && !world.fleet.has_clocks &&
          world.all_matter();
 }
 
@@ -57,20 +57,20 @@ bool foresees(const World& world) {
 
 void foresee(World& world) {
   if (!foresees(world)) return;
-  ObstacleColumns& obstacles = world.obstacles;
-  Foresight& foresight = obstacles.foresight;
+  MoverColumns& movers = world.movers;
+  Foresight& foresight = movers.foresight;
   const double horizon = world.changed ? horizon_of(world) : foresight.horizon;
   const double time_step = world.settings.time_step;
-  const std::int64_t rest = kStepsForeseen - obstacles.steps % kStepsForeseen;
+  const std::int64_t rest = kStepsForeseen - movers.steps % kStepsForeseen;
   const std::int64_t until =
-      obstacles.steps + rest + static_cast<std::int64_t>(std::ceil(horizon / time_step));
+      movers.steps + rest + static_cast<std::int64_t>(std::ceil(horizon / time_step));
   if (until == foresight.until) return;
   foresight.time_step = time_step, foresight.horizon = horizon, foresight.until = until;
-  foresight.trajectory.resize(obstacles.setup.size());
-  for (std::size_t k = 0; k < obstacles.setup.size(); ++k) {
-    if (obstacles.setup[k].path.empty()) continue;
-    follow_path(obstacles.setup[k], obstacles.walk(k), obstacles.steps, until, time_step,
-                foresight.places, foresight.trajectory[k]);
+  foresight.trajectory.resize(movers.setup.size());
+  for (std::size_t k = 0; k < movers.setup.size(); ++k) {
+    if (movers.setup[k].path.empty()) continue;
+    follow_path(movers.setup[k], movers.walk(k), movers.steps, until, time_step, foresight.places,
+                foresight.trajectory[k]);
   }
 }
 

@@ -77,7 +77,7 @@ void index(World& world, Executor& executor) {
   if (due) world.next_layout = world.steps + kStepsInOrder;
   foresee(world);
   world.changed = false;
-  world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
+  world.mover_grid.build(world.movers.position, world.sensing_radius);
   locate_outliers(world);
   clock.lap(Stage::index);
   take_snapshot(world, executor);
@@ -96,7 +96,7 @@ void look_at_present(World& world) {
   find_shared_goals(world);
   foresee(world);
   lay_out(world, world.serial);
-  world.obstacle_grid.build(world.obstacles.position, world.sensing_radius);
+  world.mover_grid.build(world.movers.position, world.sensing_radius);
   take_snapshot(world, world.serial);
 }
 

@@ -76,7 +76,7 @@ void find_outliers(World& world) {
     unlike += outlier.is_unlike || outlier.stands_apart ? 1 : 0;
     apart += outlier.stands_apart ? 1 : 0;
   }
-  const std::size_t movers = world.obstacles.setup.size();
+  const std::size_t movers = world.movers.setup.size();
   const bool are_few = (unlike + movers) * kUnlikeOfMany <= world.fleet.size();
   // where clocks are free, no robot is moved only to find which robots are near it
   if (are_few && (!world.fleet.has_clocks || unlike + movers == 0)) return;
@@ -158,7 +158,7 @@ void find_ranges(World& world) {
 void locate_outliers(World& world) {
   Outliers& outliers = world.outliers;
   outliers.in_sight.clear();
-  const bool is_alone = outliers.robots.empty() && world.obstacles.setup.empty();
+  const bool is_alone = outliers.robots.empty() && world.movers.setup.empty();
   if (is_alone || !world.senses.are_exact() || outliers.usual == Scrutiny::everyone) return;
   const Cells& cells = world.snapshot.cells;
   outliers.in_sight.resize(cells.table() + 1);
@@ -180,7 +180,7 @@ void locate_outliers(World& world) {
          is_far ? std::min(outliers.reach, world.sensing_radius) : world.sensing_radius);
   }
   if (!outliers.robots.empty()) outliers.grid.build(outliers.position, world.sensing_radius);
-  for (const Vec2 p : world.obstacles.position) mark(p, world.sensing_radius);
+  for (const Vec2 p : world.movers.position) mark(p, world.sensing_radius);
 }
 
 }  // namespace avo::inline sim

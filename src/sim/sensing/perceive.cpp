@@ -13,8 +13,8 @@ namespace {
 // A sighting's source as Perception::source says it: by ids.
 std::int64_t named(const World& world, int source) {
   if (source < 0)
-    return -1 - static_cast<std::int64_t>(
-                    world.obstacles.id[static_cast<std::size_t>(-1 - source)].value);
+    return -1 -
+           static_cast<std::int64_t>(world.movers.id[static_cast<std::size_t>(-1 - source)].value);
   const Fleet& fleet = world.fleet;
   return static_cast<std::int64_t>(fleet.id[fleet.slot_of[static_cast<std::size_t>(source)]].value);
 }

@@ -108,22 +108,22 @@ void append_one_by_one(const World& world, std::size_t slot, std::span<const Nei
   NeighborColumns& to = worker.tile.neighbors;
   const std::size_t most =
       world.all_matter_to(slot) ? std::numeric_limits<std::size_t>::max() : world.most_nearest();
-  const std::span<const NeighborHit> obstacles =
-      world.obstacle_grid.gather(world.fleet.position[slot], -1, most, worker.obstacles);
+  const std::span<const NeighborHit> movers =
+      world.mover_grid.gather(world.fleet.position[slot], -1, most, worker.movers);
   const std::size_t first = to.count;
-  to.reserve(first + std::min(robots.size() + obstacles.size(), most));
-  auto robot = robots.begin(), obstacle = obstacles.begin();
-  while (to.count - first < most && (robot != robots.end() || obstacle != obstacles.end())) {
-    if (obstacle == obstacles.end() ||
-        (robot != robots.end() && robot->distance_squared <= obstacle->distance_squared)) {
+  to.reserve(first + std::min(robots.size() + movers.size(), most));
+  auto robot = robots.begin(), mover = movers.begin();
+  while (to.count - first < most && (robot != robots.end() || mover != movers.end())) {
+    if (mover == movers.end() ||
+        (robot != robots.end() && robot->distance_squared <= mover->distance_squared)) {
       const NeighborHit& hit = *robot++;
       const auto neighbor = sensed_at(world, hit.place, slot);
       if (!neighbor) continue;
       to.add(*neighbor);
       note(hit.index, worker);
     } else {
-      const int index = (obstacle++)->index;
-      to.add(world.obstacles.sensed(static_cast<std::size_t>(index)));
+      const int index = (mover++)->index;
+      to.add(world.movers.sensed(static_cast<std::size_t>(index)));
       note(-1 - index, worker);
     }
   }
@@ -150,12 +150,12 @@ bool append_sighted(const World& world, std::size_t slot, std::size_t query, Wor
                     static_cast<std::size_t>(world.fleet.rank[slot]),
                     {world.fleet.position[slot], world.fleet.velocity[slot]}};
   NeighborColumns& to = worker.tile.neighbors;
-  const bool may_be_usual = is_exact && world.obstacles.setup.empty() && worker.sources == nullptr;
+  const bool may_be_usual = is_exact && world.movers.setup.empty() && worker.sources == nullptr;
   if (may_be_usual && append_as_they_are(world, own, worker.seen, to)) return true;
   std::span<const NeighborHit> movers;
-  if (!world.obstacles.setup.empty()) {
+  if (!world.movers.setup.empty()) {
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-    movers = world.obstacle_grid.gather(world.fleet.position[slot], -1, kAll, worker.obstacles);
+    movers = world.mover_grid.gather(world.fleet.position[slot], -1, kAll, worker.movers);
   }
   look(world, own, worker.seen, movers, worker.sightings);
   to.reserve(to.count + worker.sightings.size());
@@ -191,7 +191,7 @@ Scrutiny look_at_outliers(const World& world, std::size_t a, std::size_t query, 
   const Fleet& fleet = world.fleet;
   const Outliers& outliers = world.outliers;
   constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  if (!world.obstacle_grid.gather(fleet.position[a], -1, 1, worker.obstacles).empty())
+  if (!world.mover_grid.gather(fleet.position[a], -1, 1, worker.movers).empty())
     return Scrutiny::everyone;
   if (outliers.robots.empty()) return outliers.usual;
   Scrutiny scrutiny = outliers.usual;

@@ -190,8 +190,8 @@ void look_at_robot(const Observer& observer, const Present& robot,
 void look_at_mover(const Observer& observer, std::size_t k, std::vector<Sighting>& sightings) {
   const World& world = observer.world;
   const Encounter encounter{observer, kMoverBit | k, world.senses.since[observer.own.rank]};
-  Neighbor now = world.obstacles.sensed(k);
-  const MovingObstacle& setup = world.obstacles.setup[k];
+  Neighbor now = world.movers.sensed(k);
+  const MovingObstacle& setup = world.movers.setup[k];
   const auto walk_at = [&](std::int64_t m) {
     return on_trajectory(setup, world.senses.by_time
                                     ? seconds(m)
@@ -294,7 +294,7 @@ Neighbor neighbor_of(const World& world, const Sighting& seen) {
   const Fleet& fleet = world.fleet;
   Neighbor neighbor;
   if (seen.source < 0) {
-    neighbor = world.obstacles.sensed(static_cast<std::size_t>(-1 - seen.source));
+    neighbor = world.movers.sensed(static_cast<std::size_t>(-1 - seen.source));
   } else {
     neighbor = sensed(fleet.traits[seen.slot], fleet.conduct[seen.slot], seen.expected,
                       seen.position, seen.true_velocity);

@@ -78,16 +78,16 @@ Fleet fleet_of(const SavedState& state, World& world) {
   return fleet;
 }
 
-ObstacleColumns obstacles_of(const SavedState& state) {
-  ObstacleColumns obstacles(state.scene.moving_obstacles);
-  obstacles.id = state.mover_ids, obstacles.next_id = state.next_mover;
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
-    obstacles.position[k] = state.obstacles[k].position;
-    obstacles.velocity[k] = state.obstacles[k].velocity;
-    obstacles.next_point[k] = state.obstacles[k].next_point;
+MoverColumns movers_of(const SavedState& state) {
+  MoverColumns movers(state.scene.moving_obstacles);
+  movers.id = state.mover_ids, movers.next_id = state.next_mover;
+  for (std::size_t k = 0; k < state.movers.size(); ++k) {
+    movers.position[k] = state.movers[k].position;
+    movers.velocity[k] = state.movers[k].velocity;
+    movers.next_point[k] = state.movers[k].next_point;
   }
-  obstacles.steps = state.steps;
-  return obstacles;
+  movers.steps = state.steps;
+  return movers;
 }
 
 // Its steps so far, in a track with room for more.
@@ -195,7 +195,7 @@ void restore(const SavedState& state, World& world) {
   fleet.bases = state.bases;
   add_clocks(state, fleet);
   Senses senses = senses_of(state, fleet, world.planner().options().longest_step);
-  ObstacleColumns obstacles = obstacles_of(state);
+  MoverColumns movers = movers_of(state);
   std::optional<StaticWorld> statics;
   std::vector<Routes> other_routes;
   std::vector<Wall> parked = fleet.parked_walls();
@@ -206,7 +206,7 @@ void restore(const SavedState& state, World& world) {
   const StaticWorld& known = statics ? *statics : world.statics;
   std::vector<std::uint32_t> floor = floors_of(fleet, known);
   std::vector<Claims> claims(known.floors.size());
-  std::vector<Wall> resting = obstacles.resting();
+  std::vector<Wall> resting = movers.resting();
   if (statics || !are_same(resting, world.routes.front().resting())) {
     for (const Floor& own : known.floors)
       other_routes.emplace_back(route_rules_of(world.settings), own.walls, resting,
@@ -215,7 +215,7 @@ void restore(const SavedState& state, World& world) {
   std::vector<Routes>& routes = other_routes.empty() ? world.routes : other_routes;
   std::vector<Travel> travels = travels_of(state, known, routes, floor);
   for (Routes& own : other_routes) own.forget_before();
-  std::vector<Pace> paces = paces_among(world, !obstacles.setup.empty());
+  std::vector<Pace> paces = paces_among(world, !movers.setup.empty());
   std::vector<Team> teams = state.scene.teams;
   // nothing throws from here on
   std::swap(world.paces, paces);
@@ -223,7 +223,7 @@ void restore(const SavedState& state, World& world) {
   world.kinds.reset();
   forget(world.bystanders);
   std::swap(world.senses, senses);
-  std::swap(world.obstacles, obstacles);
+  std::swap(world.movers, movers);
   std::swap(world.travels, travels), std::swap(world.floor, floor);
   std::swap(world.claims, claims);
   std::swap(world.settings.teams, teams);

@@ -79,7 +79,7 @@ void describe(Archive<kReads>& archive, SavedClock& clock, RobotSetup& setup) {
 
 template <bool kReads>
 void describe(Archive<kReads>& archive, MovingObstacle& setup, PathWalk& state) {
-  for_each_obstacle_value([&](const char*, auto member) { describe(archive, setup.*member); });
+  for_each_mover_value([&](const char*, auto member) { describe(archive, setup.*member); });
   describe(archive, state.position), describe(archive, state.velocity);
   describe(archive, state.next_point);
 }
@@ -143,9 +143,9 @@ void describe(Archive<kReads>& archive, SavedState& state) {
   describe(archive, state.steps), describe(archive, state.next_id);
 
   archive.size(scene.moving_obstacles, kObstacleWords);
-  state.obstacles.resize(scene.moving_obstacles.size());
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
-    describe(archive, scene.moving_obstacles[k], state.obstacles[k]);
+  state.movers.resize(scene.moving_obstacles.size());
+  for (std::size_t k = 0; k < state.movers.size(); ++k) {
+    describe(archive, scene.moving_obstacles[k], state.movers[k]);
   }
   archive.size(scene.robots, kRobotWords);
   state.robots.resize(scene.robots.size());
@@ -231,7 +231,7 @@ std::vector<std::byte> to_bytes(SavedState state) {
   Archive<false> archive;
   std::vector<std::byte>& bytes = archive.written;
   bytes.reserve(kWord * (kSettings + kRobotWords * state.robots.size() +
-                         kObstacleWords * state.obstacles.size()));
+                         kObstacleWords * state.movers.size()));
   const bool has_bases = !state.bases.are_exact(), is_moved = !state.host_motions.empty();
   const bool has_more = has_bases || is_moved || has_teams_or_name(state.scene);
   const bool changed = has_more || is_changed(state);

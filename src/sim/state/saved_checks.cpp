@@ -176,7 +176,7 @@ void check_states(const SavedState& state) {
     return is_finite(body.position) && is_finite(body.velocity);
   };
   const bool moves = std::all_of(state.robots.begin(), state.robots.end(), is_finite_motion) &&
-                     std::all_of(state.obstacles.begin(), state.obstacles.end(), is_finite_motion);
+                     std::all_of(state.movers.begin(), state.movers.end(), is_finite_motion);
   if (!moves) refuse_saved("a position or velocity that is not finite", "finite");
   if (!std::all_of(state.routes.begin(), state.routes.end(),
                    [](const SavedRoute& route) { return is_finite(route.place); }))
@@ -184,11 +184,11 @@ void check_states(const SavedState& state) {
   if (!std::all_of(state.routes.begin(), state.routes.end(),
                    [](const SavedRoute& route) { return is_sound(route.waiting); }))
     refuse_saved("a wait that no robot can remember", "a sound one");
-  for (std::size_t k = 0; k < state.obstacles.size(); ++k) {
+  for (std::size_t k = 0; k < state.movers.size(); ++k) {
     const std::size_t points =
         std::max<std::size_t>(state.scene.moving_obstacles[k].path.size(), 1);
-    if (state.obstacles[k].next_point >= points)
-      refuse_saved("path point " + std::to_string(state.obstacles[k].next_point),
+    if (state.movers[k].next_point >= points)
+      refuse_saved("path point " + std::to_string(state.movers[k].next_point),
                    "below " + std::to_string(points));
   }
   std::uint64_t next = 0;  // lower bound of the id

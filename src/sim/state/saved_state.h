@@ -71,7 +71,7 @@ struct SavedState {
   std::uint64_t next_id = 0;
   std::vector<SavedRobot> robots;  // by ascending id, as many as the scene has
   // in the order of the scene, as many as it has; without a path next_point is 0
-  std::vector<PathWalk> obstacles;
+  std::vector<PathWalk> movers;
   std::vector<SavedRoute> routes;  // of the robots; none without walls and movers at rest
   std::uint64_t next_obstacle = 0;
   std::vector<ObstacleId> static_ids;  // ascending, as many as the scene has static obstacles
@@ -120,7 +120,7 @@ void for_each_setting(const Visit& visit) {
 
 /// visit(key, member) for all values of a moving obstacle's setup.
 template <typename Visit>
-void for_each_obstacle_value(const Visit& visit) {
+void for_each_mover_value(const Visit& visit) {
   visit("position", &MovingObstacle::position);
   visit("velocity", &MovingObstacle::velocity);
   visit("acceleration", &MovingObstacle::acceleration);

@@ -32,12 +32,12 @@ SavedState saved_state(const World& world) {
     state.routes.push_back({travel.target, travel.graph && travel.graph->radius == radius,
                             travel.around_movers, travel.ends, travel.place, travel.waiting});
   }
-  state.scene.moving_obstacles = world.obstacles.setup;
+  state.scene.moving_obstacles = world.movers.setup;
   state.scene.obstacles = world.statics.obstacles;
-  state.mover_ids = world.obstacles.id, state.next_mover = world.obstacles.next_id;
-  for (std::size_t k = 0; k < world.obstacles.setup.size(); ++k) {
-    state.obstacles.push_back(
-        {world.obstacles.position[k], world.obstacles.velocity[k], world.obstacles.next_point[k]});
+  state.mover_ids = world.movers.id, state.next_mover = world.movers.next_id;
+  for (std::size_t k = 0; k < world.movers.setup.size(); ++k) {
+    state.movers.push_back(
+        {world.movers.position[k], world.movers.velocity[k], world.movers.next_point[k]});
   }
   state.scene.robots.reserve(fleet.size());
   state.robots.reserve(fleet.size());

@@ -108,7 +108,7 @@ TEST_P(BatchOn, equals_the_reference_bit_for_bit) {
   EXPECT_GT(cases.least_unsafe, 50000);
 }
 
-void judge_all(const Family& family) {
+void examine_all(const Family& family) {
   ProgramBatch batch;
   const std::vector<Program> all = programs(family.make, kPrograms);
   solve(all, batch);
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Families, Judged, testing::ValuesIn(kFamilies), [](cons
 });
 
 TEST_P(Judged, P10_P11_agrees_with_all_vertices) {
-  judge_all(GetParam());
+  examine_all(GetParam());
 }
 
 avo::ProgramResult one_by_one(const Program& p) {

@@ -167,7 +167,7 @@ TEST(Executor, another_executor_gives_the_same_bits) {
     step(world);
     step(alone);
   }
-  EXPECT_EQ(hash_of(world.fleet, world.obstacles, world.steps),
+  EXPECT_EQ(hash_of(world.fleet, world.movers, world.steps),
             hash_of(alone.fleet, alone.obstacles, alone.steps));
   EXPECT_GE(executor.runs, 60);
 }

@@ -96,10 +96,10 @@ TEST(LateFields, all_settings_of_a_scene_are_saved) {
         << "\", &Scenario::" << field.key << ");";
   });
   std::set<std::string_view> of_movers;
-  for_each_obstacle_value([&](std::string_view key, auto) { of_movers.insert(key); });
+  for_each_mover_value([&](std::string_view key, auto) { of_movers.insert(key); });
   for_each_member(kFields<MovingObstacle>, [&](const auto& field, auto) {
     EXPECT_TRUE(of_movers.contains(field.key))
-        << "src/sim/state/saved_state.h: for_each_obstacle_value lacks visit(\"" << field.key
+        << "src/sim/state/saved_state.h: for_each_mover_value lacks visit(\"" << field.key
         << "\", &MovingObstacle::" << field.key << ");";
   });
 }

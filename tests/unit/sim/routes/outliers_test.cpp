@@ -121,7 +121,7 @@ struct Steps {
 };
 
 std::uint64_t bits_of(const Steps& run) {
-  return hash_of(run.world.fleet, run.world.obstacles, run.world.steps);
+  return hash_of(run.world.fleet, run.world.movers, run.world.steps);
 }
 
 class OneOutlier : public testing::TestWithParam<Oddity> {};

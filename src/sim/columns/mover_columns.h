@@ -26,7 +26,7 @@ struct Foresight {
 };
 
 /// All moving obstacles.
-struct ObstacleColumns {
+struct MoverColumns {
   std::vector<MovingObstacle> setup;
   std::vector<Vec2> position, velocity;
   std::vector<std::uint32_t> next_point;  // see PathWalk
@@ -36,7 +36,7 @@ struct ObstacleColumns {
   bool has_paths = false;  // whether some have a path
   Foresight foresight;
 
-  explicit ObstacleColumns(const std::vector<MovingObstacle>& obstacles);
+  explicit MoverColumns(const std::vector<MovingObstacle>& obstacles);
   /// Adds one in that state. Call it on a copy: it may throw in the midst.
   void add(const MovingObstacle& obstacle, const PathWalk& start);
   void remove(std::size_t index);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim/columns/obstacle_columns.h"
+#include "sim/columns/mover_columns.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,12 +11,12 @@
 
 namespace avo::inline sim {
 
-ObstacleColumns::ObstacleColumns(const std::vector<MovingObstacle>& obstacles) {
-  for (const MovingObstacle& obstacle : obstacles)
+MoverColumns::MoverColumns(const std::vector<MovingObstacle>& movers) {
+  for (const MovingObstacle& obstacle : movers)
     add(obstacle, {obstacle.position, obstacle.velocity});
 }
 
-void ObstacleColumns::add(const MovingObstacle& obstacle, const PathWalk& start) {
+void MoverColumns::add(const MovingObstacle& obstacle, const PathWalk& start) {
   setup.push_back(obstacle);
   position.push_back(start.position), velocity.push_back(start.velocity);
   next_point.push_back(start.next_point);
@@ -24,7 +24,7 @@ void ObstacleColumns::add(const MovingObstacle& obstacle, const PathWalk& start)
   look_over();
 }
 
-void ObstacleColumns::remove(std::size_t index) {
+void MoverColumns::remove(std::size_t index) {
   const auto drop = [index](auto& column) {
     column.erase(column.begin() + static_cast<std::ptrdiff_t>(index));
   };
@@ -32,14 +32,14 @@ void ObstacleColumns::remove(std::size_t index) {
   look_over();
 }
 
-std::size_t ObstacleColumns::find(MovingObstacleId obstacle) const {
+std::size_t MoverColumns::find(MovingObstacleId obstacle) const {
   const auto place = std::find(id.begin(), id.end(), obstacle);
   if (place == id.end())
     throw Error("moving obstacle " + std::to_string(obstacle.value) + ": found none of that id");
   return static_cast<std::size_t>(place - id.begin());
 }
 
-void ObstacleColumns::look_over() {
+void MoverColumns::look_over() {
   has_paths = std::any_of(setup.begin(), setup.end(),
                           [](const MovingObstacle& one) { return !one.path.empty(); });
   foresight = {};
@@ -49,9 +49,9 @@ namespace {
 
 // The disc of an obstacle at rest, or a disc that contains a slow one; none for an obstacle that
 // moves, or will move.
-std::optional<Wall> resting_disc(const ObstacleColumns& obstacles, std::size_t k) {
-  const MovingObstacle& setup = obstacles.setup[k];
-  const Vec2 p = obstacles.position[k], v = obstacles.velocity[k];
+std::optional<Wall> resting_disc(const MoverColumns& movers, std::size_t k) {
+  const MovingObstacle& setup = movers.setup[k];
+  const Vec2 p = movers.position[k], v = movers.velocity[k];
   if (setup.acceleration != Vec2{} || setup.path.size() > 1) return std::nullopt;
   if (!setup.path.empty() && norm(setup.path[0] - p) > setup.radius) return std::nullopt;
   return resting_disc(p, v, setup.radius, setup.path.empty());
@@ -59,14 +59,14 @@ std::optional<Wall> resting_disc(const ObstacleColumns& obstacles, std::size_t k
 
 }  // namespace
 
-std::vector<Wall> ObstacleColumns::resting() const {
+std::vector<Wall> MoverColumns::resting() const {
   std::vector<Wall> discs;
   for (std::size_t k = 0; k < setup.size(); ++k)
     if (const std::optional<Wall> disc = resting_disc(*this, k)) discs.push_back(*disc);
   return discs;
 }
 
-bool ObstacleColumns::rest_as(std::span<const Wall> discs) const {
+bool MoverColumns::rest_as(std::span<const Wall> discs) const {
   std::size_t count = 0;
   for (std::size_t k = 0; k < setup.size(); ++k) {
     const std::optional<Wall> disc = resting_disc(*this, k);
@@ -78,7 +78,7 @@ bool ObstacleColumns::rest_as(std::span<const Wall> discs) const {
   return count == discs.size();
 }
 
-Neighbor ObstacleColumns::sensed(std::size_t index) const {
+Neighbor MoverColumns::sensed(std::size_t index) const {
   Neighbor neighbor{
       .position = position[index],
       .velocity = velocity[index],
@@ -94,7 +94,7 @@ Neighbor ObstacleColumns::sensed(std::size_t index) const {
   return neighbor;
 }
 
-void ObstacleColumns::advance(double time_step, double time) {
+void MoverColumns::advance(double time_step, double time) {
   ++steps;
   for (std::size_t k = 0; k < setup.size(); ++k) {
     if (!setup[k].trajectory.empty()) {

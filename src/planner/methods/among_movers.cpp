@@ -52,9 +52,9 @@ Pair pair_of_discs(const Discs& discs, const Neighbor& neighbor) {
 }  // namespace
 
 template <typename Trace>
-Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
-                            std::span<const Neighbor> given, std::span<const Wall> walls,
-                            PlanWorkspace::Scratch& scratch, Trace trace) {
+Plan decide_among_movers(const Planner& planner, const Robot& robot,
+                         std::span<const Neighbor> given, std::span<const Wall> walls,
+                         PlanWorkspace::Scratch& scratch, Trace trace) {
   const PlannerOptions& options = planner.options();
   if (!all_valid(robot, given) || !follows_heading(robot) || !can_follow(robot, given, options)) {
     return brake(planner, robot, PlanStatus::invalid_input, 0.0);
@@ -89,9 +89,9 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
     collect_demands(planner, robot, walls, certificate_law(planner).step, demands);
   overlapping = overlapping || demands.overlapping;
   // Eq. (14)
-  PassiveChoice choice = choose_among_obstacles(scratch.obstacles, planner.acceleration_disc(robot),
-                                                planner.speed_disc(robot), robot.preferred_velocity,
-                                                scratch.passive, demands.planes);
+  PassiveChoice choice = choose_among_movers(scratch.obstacles, planner.acceleration_disc(robot),
+                                             planner.speed_disc(robot), robot.preferred_velocity,
+                                             scratch.passive, demands.planes);
   if (choice.state == PassiveState::discs_disjoint) {
     return brake(planner, robot, PlanStatus::braking, choice.violation);
   }
@@ -119,10 +119,10 @@ Plan decide_among_obstacles(const Planner& planner, const Robot& robot,
   return plan;
 }
 
-template Plan decide_among_obstacles(const Planner&, const Robot&, std::span<const Neighbor>,
-                                     std::span<const Wall>, PlanWorkspace::Scratch&, NoTrace);
-template Plan decide_among_obstacles(const Planner&, const Robot&, std::span<const Neighbor>,
-                                     std::span<const Wall>, PlanWorkspace::Scratch&, Recorder);
+template Plan decide_among_movers(const Planner&, const Robot&, std::span<const Neighbor>,
+                                  std::span<const Wall>, PlanWorkspace::Scratch&, NoTrace);
+template Plan decide_among_movers(const Planner&, const Robot&, std::span<const Neighbor>,
+                                  std::span<const Wall>, PlanWorkspace::Scratch&, Recorder);
 
 }  // namespace avo::inline planner
 
@@ -144,8 +144,8 @@ Plan Planner::plan_among_movers(const Robot& robot, std::span<const Neighbor> ob
     }
     return plan(robot, movers, workspace);
   }
-  const Plan plan = decide_among_obstacles(*this, steering, obstacles, {},
-                                           PlanWorkspace::Scratch::of(workspace), NoTrace{});
+  const Plan plan = decide_among_movers(*this, steering, obstacles, {},
+                                        PlanWorkspace::Scratch::of(workspace), NoTrace{});
   return with_next_velocity(*this, robot, as_followed(*this, robot, plan));
 }
 
