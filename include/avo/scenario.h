@@ -228,8 +228,9 @@ struct Scenario {
   /// `sensing`.
   std::optional<SensingError> sensing_error = {};
   /// How the bases of all robots execute commands; unset: exactly. Each body then follows a
-  /// reference, for which its robot decides, and the robots tell each other their references.
-  /// Views, metrics and recordings are of the bodies. For holonomic robots that start at rest.
+  /// reference, for which its robot decides, and the robots tell each other their references. With
+  /// `sensing` they measure the bodies instead. Views, metrics and recordings are of the bodies.
+  /// For holonomic robots and drives that start at rest.
   std::optional<ExecutionModel> execution = {};
   /// m, >= 0, with `execution`: what each robot adds to its radius; unset: execution_error().
   std::optional<double> execution_error = {};
@@ -294,8 +295,9 @@ AVO_API double needed_sensing_radius(const Scenario& scenario);
 AVO_API double sensing_radius_of(const Scenario& scenario);
 
 /// The error that covers the noise and the delay of the scene's robots. It is the bounds of the
-/// noise, and the change of motion that the strongest of them can make within the delay. Missed
-/// measurements are told by Neighbor::age.
+/// noise, and the change of motion that the strongest of them can make within the delay. With
+/// execution it adds how far a body is from its reference at most. Missed measurements are told by
+/// Neighbor::age.
 AVO_API SensingError declared_error(const Scenario& scenario);
 
 /// m, > 0: a robot of the scene has arrived once it is that near to its goal.

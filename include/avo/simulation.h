@@ -128,9 +128,9 @@ class AVO_API Simulation {
   /// Δt. Where clocks are free, each robot decides when its own step ends, from the present states.
   /// All then move to the next instant at which any robot decides. The result is bit-identical for
   /// any number of threads. A warm simulation allocates nothing, unless a robot searches for a
-  /// route among many walls, or around a held passage, or has an external method. Where memory runs
-  /// out it throws std::bad_alloc. If no robot has moved by then, the step can be tried again;
-  /// otherwise every later step throws Error.
+  /// route among many walls, or around a held passage, or has an external method, or decides again
+  /// after the host has moved it. Where memory runs out it throws std::bad_alloc. If no robot has
+  /// moved by then, the step can be tried again; otherwise every later step throws Error.
   /// Robots of an external method first get their velocities from its function. Where there is
   /// none, where it throws, or where a velocity is not finite, the step throws and has moved
   /// no robot. Hosts with frames of any length that look for step(dt): see can_step_by(), and

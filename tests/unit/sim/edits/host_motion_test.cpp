@@ -171,6 +171,28 @@ TEST(HostMotion, parts_from_what_it_rests_on) {
   EXPECT_TRUE(simulation.all_at_goal());
 }
 
+// The host stops the player at once, before a robot that follows too fast to stop.
+TEST(HostMotion, decides_again_once_robots_in_motion_can_stop_before_it) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({-2.4, 0}, {90, 0})};
+  scene.robots[0].velocity = scene.robots[1].velocity = {2, 0};
+  Simulation simulation(scene, 1);
+  simulation.set_velocity(kPlayer, Vec2{2, 0});
+  simulation.step();
+  simulation.set_velocity(kPlayer, Vec2{});
+  simulation.step();
+  simulation.set_velocity(kPlayer, std::nullopt);
+  while (norm(simulation.robot({1}).velocity) > 1e-6) {
+    simulation.step();
+    if (norm(simulation.robot({1}).velocity) > 0.0) {
+      ASSERT_FALSE(simulation.decided(kPlayer)) << simulation.time();
+    }
+    ASSERT_LT(simulation.time(), 10.0);
+  }
+  run_for(simulation, 0.2);
+  EXPECT_TRUE(simulation.decided(kPlayer));
+}
+
 // Taken and given back at random times in a crowd, two at once.
 TEST(HostMotion, nobody_is_touched_in_motion_by_robots_that_come_and_go) {
   int back = 0;
