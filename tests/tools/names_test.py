@@ -16,11 +16,12 @@ SPACE = re.compile(r"/space[/_]")
 ALIKE = {"Pack", "MaskOf", "Kind", "Line", "Stage", "Bounds"}
 # What space and the plane have alike: the public types, and the parts of decisions, evasions and routes.
 SAME = {
-    "Check", "CheckedRobot", "CheckedState", "Detour", "Events", "Metrics", "MovingObstacle", "Neighbor", "OutOfReach",
-    "Plan", "PlanWorkspace", "Planner", "Robot", "RobotSetup", "Scenario", "Simulation", "Route", "CheckedMover", "BrakingVerdict", "Crossing",
-    "Cause", "DecisionTrace", "Evasion", "Explanation", "Perception", "Recorder", "Taken", "TraceRecord", "Wait",
-    "Deciding", "Evading", "FirstStep", "FullBraking", "MoverColumns", "Node", "Observer", "PastState", "Plane", "Reached", "Senses", "Sight", "Then",
-    "Traffic", "EvasionState", "EvasionStep"}
+    "Check", "CheckedRobot", "CheckedState", "Detour", "Events", "Metrics", "MovingObstacle", "Neighbor",
+    "OutOfReach", "Plan", "PlanWorkspace", "Planner", "Robot", "RobotSetup", "Scenario", "Simulation", "Route",
+    "CheckedMover", "BrakingVerdict", "Crossing", "Cause", "DecisionTrace", "Evasion", "Explanation", "Perception",
+    "Recorder", "Taken", "TraceRecord", "Wait", "Deciding", "Evading", "FirstStep", "FullBraking", "MoverColumns",
+    "Node", "Observer", "PastState", "Plane", "Reached", "Senses", "Sight", "Then", "Traffic", "EvasionState",
+    "EvasionStep"}
 
 
 def several(texts):
