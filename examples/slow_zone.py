@@ -5,7 +5,7 @@ import avo
 lanes = [{"position": [-20, 3 * k], "goal": [20, 3 * k]} for k in range(6)]
 simulation = avo.Simulation({"version": 1, "robots": lanes})
 slow = set()
-fastest = 0.0  # m/s, in the zone a second after entry
+fastest = 0.0  # m/s, in the zone two seconds after entry
 entered = {}
 while not simulation.all_at_goal() and simulation.can_step_by(90):
     for robot, place, velocity in zip(simulation.ids(), simulation.position(), simulation.velocity()):

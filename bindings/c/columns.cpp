@@ -145,6 +145,12 @@ avo_result avo_simulation_get_next_decision(avo_simulation_id simulation, avo_ro
   });
 }
 
+avo_result avo_simulation_is_moved(avo_simulation_id simulation, avo_robot_id robot,
+                                   bool* is_moved) {
+  return get_by_id(simulation, robot, is_moved,
+                   [](const avo::Simulation& own, avo::RobotId id) { return own.is_moved(id); });
+}
+
 avo_result avo_simulation_decided(avo_simulation_id simulation, avo_robot_id robot, bool* decided) {
   return get_by_id(simulation, robot, decided,
                    [](const avo::Simulation& own, avo::RobotId id) { return own.decided(id); });

@@ -179,9 +179,10 @@ class AVO_API Simulation {
   /// Moves the robot from now on: after each step it has this velocity, m/s, whatever is in its
   /// way, e.g. a player. It decides nothing and keeps no promise. Others see it and keep clear of
   /// it alone: meanwhile avoids of its setup is empty. As long as the velocity changes by at most
-  /// max_acceleration * time_step a step, it touches no robot that avoids it and is in motion. With
-  /// none it brakes with max_braking, and decides again once it rests and every robot in motion
-  /// could stop before it. The first call throws Error as change_robot() does. Every call throws
+  /// max_acceleration * time_step a step, it touches no robot that avoids it and is in motion. Where
+  /// motion is exponential, δ (1 - e^{-Δt/δ}) takes the place of time_step. With none it brakes with
+  /// max_braking. It decides again once it rests, every robot in motion could stop before it, and
+  /// the scene allows its setup. The first call throws Error as change_robot() does. Every call throws
   /// Error if the velocity is faster than max_speed, if the robot is parked or has a heading, and
   /// in scenes with free clocks or execution.
   void set_velocity(RobotId robot, std::optional<Vec2> velocity);
@@ -196,6 +197,9 @@ class AVO_API Simulation {
   [[nodiscard]] std::optional<Vec2> preferred_velocity(RobotId robot) const;
   /// The velocity that set_velocity() gave to the robot, until it is taken back.
   [[nodiscard]] std::optional<Vec2> host_velocity(RobotId robot) const;
+  /// Returns whether the host moves the robot, or the robot brakes since the host gave it back. It
+  /// decides nothing meanwhile.
+  [[nodiscard]] bool is_moved(RobotId robot) const;
   /// A moving obstacle comes: a person, a vehicle, or a player that the host moves. With a
   /// trajectory it is where the trajectory says at the present time. Throws Error on bad values
   /// (see validate). Under a certificate it also throws Error, with the arithmetic, on an obstacle

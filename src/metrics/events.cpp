@@ -76,7 +76,7 @@ void Events::State::observe_robot(const Simulation& simulation, std::size_t row,
   const RobotLook look{time, simulation.time(), stuck_after, !(goal == robot.goal)};
   watch_goal(robot, goal, simulation.is_at_goal(robot.id), events);
   const auto is_steered = [&] {
-    return simulation.preferred_velocity(robot.id) || simulation.host_velocity(robot.id) ||
+    return simulation.preferred_velocity(robot.id) || simulation.is_moved(robot.id) ||
            waits_to_start(robot.start_time, simulation.time());
   };
   const double length = simulation.route(robot.id).length;

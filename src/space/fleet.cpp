@@ -27,6 +27,7 @@ SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
       detours(scene.robots.size()),
       plans(scene.robots.size()),
       touched(scene.robots.size()),
+      solids(scene.boxes),
       workers(executor->workers()) {
   validate_in_space(options);
   for (const RobotSetup& setup : scene.robots) {
@@ -65,7 +66,7 @@ void SpaceFleet::sense_movers(std::size_t k, SpaceWorker& worker) const {
   worker.movers.clear();
   worker.mover_ids.clear();
   if (movers.now.empty()) return;
-  const Observer observer(senses, k, scenario.boxes);
+  const Observer observer(senses, k, scenario.boxes, solids);
   for (std::size_t m = 0; m < movers.now.size(); ++m) {
     const Mover& mover = movers.now[m];
     if (!is_in_range(mover.position, k)) continue;
@@ -80,7 +81,7 @@ void SpaceFleet::sense_movers(std::size_t k, SpaceWorker& worker) const {
 void SpaceFleet::sense_robots(std::size_t k, std::size_t runs, SpaceWorker& worker) const {
   Bodies& seen = worker.scratch.bodies;
   seen.clear();
-  const Observer observer(senses, k, scenario.boxes);
+  const Observer observer(senses, k, scenario.boxes, solids);
   for (const Run& run : std::span(worker.runs).first(runs)) {
     seen.reserve(seen.count + (run.last - run.first));
     for (std::size_t place = run.first; place < run.last; ++place) {
@@ -102,7 +103,8 @@ void SpaceFleet::find_boxes(std::size_t k, SpaceWorker& worker) const {
   worker.lost = senses.own_error(k);
   worker.boxes.clear();
   worker.box_ids.clear();
-  for (std::size_t b = 0; b < scenario.boxes.size(); ++b) {
+  solids.find_near(place, trips[k].box_range, worker.near_boxes);
+  for (const std::uint32_t b : worker.near_boxes) {
     const Box& box = scenario.boxes[b];
     if (nearest(place, place, box).distance - box.radius > trips[k].box_range) continue;
     worker.boxes.push_back(senses.know_places() ? box : moved(box, -worker.lost));

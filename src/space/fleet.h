@@ -31,7 +31,8 @@ struct AVO_LOCAL SpaceWorker {
   PlanWorkspace::Scratch scratch;
   SpaceCells::Runs runs{};
   std::vector<Box> boxes;  // as the robot sees them
-  Vec3 lost;               // m, by which it errs in its own place
+  std::vector<std::uint32_t> near_boxes;
+  Vec3 lost;  // m, by which it errs in its own place
   std::vector<Mover> movers;
   std::vector<ObstacleId> box_ids;          // of the boxes
   std::vector<MovingObstacleId> mover_ids;  // of the movers
@@ -75,6 +76,7 @@ struct AVO_LOCAL SpaceFleet {
   std::vector<Plan> plans;
   std::vector<Simulation::Touched> touched;  // where the last plan is overlapping
   std::vector<Trip> trips;
+  Solids solids;  // scenario.boxes
   SpaceRoutes routes;
   SharedGoals shares;                   // as of the last step
   std::vector<std::uint8_t> has_stood;  // see SpaceSeeker::has_stood

@@ -11,11 +11,6 @@
 namespace avo::space {
 namespace {
 
-bool is_in_sight(Vec3 from, Vec3 to, std::span<const Box> boxes) {
-  return std::all_of(boxes.begin(), boxes.end(),
-                     [&](const Box& box) { return nearest(from, to, box).distance > box.radius; });
-}
-
 MeasurementNoise as_measured(const LocalizationNoise& model) {
   return {model.position, 0.0, model.distribution, model.truncated};
 }
@@ -94,10 +89,12 @@ void Senses::note(std::span<const Robot> now, std::span<const Mover> movers_now,
   movers.note(movers_now, present);
 }
 
-Observer::Observer(const Senses& senses, std::size_t robot, std::span<const Box> boxes)
+Observer::Observer(const Senses& senses, std::size_t robot, std::span<const Box> boxes,
+                   const Solids& solids)
     : senses_(senses),
       robot_(robot),
       boxes_(boxes),
+      solids_(solids),
       latest_(std::max(senses.step - senses.model.delay, std::int64_t{0})),
       key_(Draws::key_of(senses.seed, latest_, robot)) {}
 
@@ -112,7 +109,7 @@ bool Observer::succeeds(Vec3 from, Vec3 to, std::int64_t moment, std::int64_t fi
   if (!(norm_squared(to - from) <= senses_.radius * senses_.radius)) return false;
   if (model.dropped > 0.0 && moment > first && draws(moment, other).uniform() < model.dropped)
     return false;
-  return !model.occlusion || is_in_sight(from, to, boxes_);
+  return !model.occlusion || solids_.are_apart(from, to, boxes_);
 }
 
 std::optional<std::int64_t> Observer::last_measured(const PastStates& bodies, std::size_t k,

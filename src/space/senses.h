@@ -14,6 +14,7 @@
 #include "avo/space/robot.h"
 #include "avo/space/scenario.h"
 #include "core/draws.h"
+#include "space/routes/solids.h"
 
 namespace avo::space {
 
@@ -73,7 +74,8 @@ double time_unseen(const Scenario& scenario);
 /// A robot that measures in the present step.
 class Observer {
  public:
-  Observer(const Senses& senses, std::size_t robot, std::span<const Box> boxes);
+  Observer(const Senses& senses, std::size_t robot, std::span<const Box> boxes,
+           const Solids& solids);
 
   /// The state of robot `other` as it is sensed; none where it is not.
   [[nodiscard]] std::optional<Neighbor> look_at(std::size_t other, const Robot& traits) const;
@@ -99,8 +101,9 @@ class Observer {
   const Senses& senses_;
   std::size_t robot_;
   std::span<const Box> boxes_;
-  std::int64_t latest_;  // step of its latest measurement
-  std::uint64_t key_;    // of the draws of that measurement
+  const Solids& solids_;  // of these boxes
+  std::int64_t latest_;   // step of its latest measurement
+  std::uint64_t key_;     // of the draws of that measurement
 };
 
 }  // namespace avo::space

@@ -168,6 +168,7 @@ void Simulation::set_boxes(std::span<const Box> given) {
                   std::to_string(k) + " is in it, or cannot brake before it");
   }
   state_->scenario.boxes = std::move(boxes);
+  state_->solids = Solids(state_->scenario.boxes);
   state_->scenario.obstacle_of_box.clear();
   state_->routes.set_boxes(state_->scenario.boxes, state_->robots, state_->goals());
   state_->find_routes();

@@ -262,6 +262,26 @@ void bind_inventory(SimulationClass& simulation) {
           },
           arg("id"), "(x, y), m/s, by which the host moves the robot; else None.")
       .def(
+          "is_moved",
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.is_moved(robot_id(id)); });
+          },
+          arg("id"),
+          "Whether the host moves the robot by set_velocity(), or the robot brakes since the host "
+          "gave it back; it decides nothing meanwhile.")
+      .def(
+          "decided",
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.decided(robot_id(id)); });
+          },
+          arg("id"), "Whether the robot decided in the last step.")
+      .def(
+          "next_decision",
+          [](SharedSimulation& self, std::int64_t id) {
+            return self.briefly([&](const Simulation& s) { return s.next_decision(robot_id(id)); });
+          },
+          arg("id"), "When the robot decides next, s; inf for a parked robot.")
+      .def(
           "index_of",
           [](SharedSimulation& self, std::int64_t id) {
             return self.briefly([&](const Simulation& s) { return s.index_of(robot_id(id)); });

@@ -35,6 +35,7 @@ void require_plain(const avo::Scenario& scenario) {
     if (robot.parked) refuse((name + ".parked").c_str(), "true", "false");
     if (robot.method) refuse((name + ".method").c_str(), to_string(*robot.method), "left out");
     if (robot.arrival_distance) refuse((name + ".arrival_distance").c_str(), "one", "left out");
+    if (robot.start_time != 0.0) refuse((name + ".start_time").c_str(), "one", "left out");
     if (robot.behavior != avo::Behavior::decides)
       refuse((name + ".behavior").c_str(), to_string(robot.behavior), "decides");
     if (robot.time_horizon) refuse((name + ".time_horizon").c_str(), "one", "left out");

@@ -30,7 +30,7 @@ void check_same_kind(const RobotSetup& now, const RobotSetup& changed, RobotId r
 void check_host_motion(const HostMotion& motion, const RobotSetup& now, const RobotSetup& changed,
                        RobotId robot) {
   const std::string name = name_of(robot) + ": ";
-  const double speed = norm(motion.velocity);
+  const double speed = motion.ends ? 0.0 : norm(motion.velocity);
   if (changed.parked) refuse(name + "parked", "true while the host moves it", "false");
   if (!(changed.avoids == now.avoids))
     refuse(name + "avoids", "a change while the host moves it", "the same, nobody");

@@ -161,7 +161,8 @@ void find_external(World& world) {
   own.ranks.clear(), own.chosen.clear();
   for (std::size_t rank = 0; rank < world.fleet.size(); ++rank) {
     const std::uint32_t slot = world.fleet.slot_of[rank];
-    if (is_external(world.fleet.conduct[slot].method) && world.fleet.decides(slot))
+    if (is_external(world.fleet.conduct[slot].method) && world.fleet.decides(slot) &&
+        !world.waits_to_start(slot))
       own.ranks.push_back(rank);
   }
 }
@@ -180,7 +181,8 @@ void choose_externally(World& world, Executor& executor) {
 void take_chosen(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   RobotColumns& robots = worker.tile.robots;
   for (std::size_t k = 0; k < slots.size(); ++k) {
-    if (!is_external(world.fleet.conduct[slots[k]].method)) continue;
+    if (!is_external(world.fleet.conduct[slots[k]].method) || world.waits_to_start(slots[k]))
+      continue;
     const Vec2 v = world.external.chosen[slots[k]];
     // a choice of its own says nothing of an approach to the goal
     if (v != Vec2{robots.preferred_x[k], robots.preferred_y[k]})
@@ -190,7 +192,8 @@ void take_chosen(const World& world, std::span<const std::uint32_t> slots, Worke
 }
 
 void choose_externally(const World& world, RobotId robot, Vec2 goal, Simulation::Perception& seen) {
-  if (!is_external(world.fleet.conduct[world.fleet.find(robot)].method)) return;
+  const std::size_t slot = world.fleet.find(robot);
+  if (!is_external(world.fleet.conduct[slot].method) || world.waits_to_start(slot)) return;
   BatchColumns alone;
   alone.clear();
   alone.add(robot, seen.robot, goal, seen.neighbors, seen.walls);

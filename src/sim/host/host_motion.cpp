@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "avo/error.h"
 #include "core/ranges.h"
 #include "robots/model.h"
 #include "sim/host/edits.h"
@@ -52,7 +53,8 @@ void begin(World& world, std::size_t slot, Vec2 velocity) {
 }
 
 // Returns whether it decides again. Robots in motion have to be able to brake beside it. What it
-// rests on has been touched already: both part then.
+// rests on has been touched already: both part then. Where what others may do by now does not allow
+// it, it stays at rest.
 bool end(World& world, std::size_t slot) {
   Fleet& fleet = world.fleet;
   const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
@@ -61,7 +63,15 @@ bool end(World& world, std::size_t slot) {
   setup.avoids = motion.avoids;
   if (is_in_the_way(world, setup, fleet.id[slot])) return false;
   fleet.host_motion[rank].reset();
-  change_robot(world, fleet.id[slot], setup, true);
+  try {
+    change_robot(world, fleet.id[slot], setup, true);
+  } catch (const Error&) {  // the scene no longer allows it
+    fleet.host_motion[rank] = motion;
+    return false;
+  } catch (...) {
+    fleet.host_motion[rank] = motion;
+    throw;
+  }
   forget_route(fleet, slot);
   if (world.has_routes())
     world.travels[rank] =
@@ -72,9 +82,9 @@ bool end(World& world, std::size_t slot) {
 
 // m/s, after one step.
 Vec2 next_velocity(const HostMotion& motion, const RobotTraits& traits, Vec2 velocity,
-                   double time_step) {
+                   double braking_time) {
   if (!motion.ends) return motion.velocity;
-  const double speed = norm(velocity), change = traits.max_braking * time_step;
+  const double speed = norm(velocity), change = traits.max_braking * braking_time;
   return speed <= change ? Vec2{} : (1.0 - change / speed) * velocity;
 }
 
@@ -84,7 +94,9 @@ void move(World& world, std::size_t slot, const HostMotion& motion) {
   const MotionState now = fleet.state(slot);
   Plan& plan = fleet.plan[slot];
   plan = {};
-  plan.next_velocity = next_velocity(motion, fleet.traits[slot], now.velocity, response.time_step);
+  const double braking_time = response.rate < 1.0 ? response.rate * response.control_time
+                                                  : response.time_step;  // adopted at once
+  plan.next_velocity = next_velocity(motion, fleet.traits[slot], now.velocity, braking_time);
   const Vec2 w = (plan.next_velocity - now.velocity) / response.rate;
   plan.new_velocity = now.velocity + w, plan.acceleration = w / response.control_time;
   const MotionStep step = advance(now, plan, response);

@@ -118,6 +118,11 @@ std::optional<Vec2> Simulation::preferred_velocity(RobotId robot) const {
   return fleet.told_velocity(fleet.find(robot));
 }
 
+bool Simulation::is_moved(RobotId robot) const {
+  const Fleet& fleet = state_->fleet;
+  return fleet.moved_by_host(fleet.find(robot)) != nullptr;
+}
+
 std::optional<Vec2> Simulation::host_velocity(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
   const HostMotion* motion = fleet.moved_by_host(fleet.find(robot));

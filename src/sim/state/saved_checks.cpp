@@ -136,6 +136,8 @@ void check_host_motions(const SavedState& state) {
       refuse_saved("a velocity of robot " + std::to_string(id), "one of a robot that hosts move");
     if (!kAnyValue.contains(motion.velocity.x) || !kAnyValue.contains(motion.velocity.y))
       refuse_saved("a velocity that is not finite", "finite");
+    if (!motion.ends && norm(motion.velocity) > setup.max_speed * (1.0 + kSpeedRounding))
+      refuse_saved("a velocity of robot " + std::to_string(id) + " above its max_speed", "less");
     ++k;
   }
 }

@@ -112,6 +112,11 @@ double entry_of(const Line& line, double most, const Bounds& bounds, double room
   return begin <= end ? begin : Bounds::kFar;
 }
 
+// m: more than bounds and places differ by rounding.
+double rounding_of(Vec3 a, Vec3 b) {
+  return 1e-9 * (1.0 + norm(a) + norm(b));
+}
+
 double distance_to(Vec3 place, const Bounds& bounds) {
   return norm(place - least_of(most_of(place, bounds.low), bounds.high));
 }
@@ -169,6 +174,25 @@ bool Solids::all_of(const Enters& enters, const Visit& visit) const {
     }
   }
   return true;
+}
+
+void Solids::find_near(Vec3 place, double distance, std::vector<std::uint32_t>& numbers) const {
+  numbers.clear();
+  const double most = distance + rounding_of(place, place);
+  all_of([&](const Bounds& bounds) { return distance_to(place, bounds) <= most; },
+         [&](std::uint32_t k) {
+           numbers.push_back(k);
+           return true;
+         });
+  std::sort(numbers.begin(), numbers.end());
+}
+
+bool Solids::are_apart(Vec3 a, Vec3 b, std::span<const Box> boxes) const {
+  const Line line(a, b - a);
+  const double room = rounding_of(a, b);
+  return all_of(
+      [&](const Bounds& bounds) { return entry_of(line, 1.0, bounds, room) <= 1.0 + 1e-9; },
+      [&](std::uint32_t k) { return nearest(a, b, boxes[k]).distance > boxes[k].radius; });
 }
 
 Away Solids::away(Vec3 place, double most) const {

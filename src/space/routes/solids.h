@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boxes of a scene, for questions about places and straight lines. Routes ask them; the
-// certificate does not.
+// The boxes of a scene in a tree, for questions about places and straight lines. Routes and senses
+// ask them, and for each robot the boxes near it are found here. The certificate counts the boxes
+// themselves.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,10 @@ class Solids {
   /// What the box is between, in the scene.
   [[nodiscard]] const Bounds& bounds(std::size_t k) const { return bounds_[k]; }
 
+  /// Sets the boxes that may be within that distance, m, of a place, by ascending numbers.
+  void find_near(Vec3 place, double distance, std::vector<std::uint32_t>& numbers) const;
+  /// Returns whether the segment touches none of the boxes. boxes: those of which these were made.
+  [[nodiscard]] bool are_apart(Vec3 a, Vec3 b, std::span<const Box> boxes) const;
   /// The nearest surface; nothing farther than `most` m is searched.
   [[nodiscard]] Away away(Vec3 place, double most) const;
   /// Returns whether the segment keeps more than that distance, m, from all boxes.

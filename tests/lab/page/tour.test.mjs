@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tour: its scenes run, its controls are keys of scenes, and what it claims is so, by the command line.
 import assert from "node:assert/strict";
-import { writeFileSync } from "node:fs";
+import { mkdtempSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { test } from "node:test";
 import { TOUR } from "../../../lab/page/guide/tour_steps.ts";
 import { avo } from "../data/native.mjs";
 
+const FILE = join(mkdtempSync(join(tmpdir(), "avo-tour-")), "tour.yaml");
 const library = { builtinText: (name) => String(avo("scenes", name).stdout) };
 
 function summary(step, ...options) {
-  writeFileSync("tour.yaml", TOUR[step].scene(library));
-  const { status, stdout, stderr } = avo("run", "tour.yaml", "--json", "--quiet", ...options);
+  writeFileSync(FILE, TOUR[step].scene(library));
+  const { status, stdout, stderr } = avo("run", FILE, "--json", "--quiet", ...options);
   assert.equal(status, 0, String(stderr));
   return JSON.parse(String(stdout));
 }
@@ -18,11 +21,11 @@ function summary(step, ...options) {
 test("every step explains its robot at its time, also at the ends of its controls", () => {
   assert.equal(TOUR.length, 6);
   TOUR.forEach((step, k) => {
-    writeFileSync("tour.yaml", step.scene(library));
+    writeFileSync(FILE, step.scene(library));
     const settings = step.tries.flatMap(({ path, range, words }) =>
       (words ?? [range.least, range.start, range.most]).map((value) => `${path}=${value}`));
     for (const setting of settings) {
-      const { status, stderr } = avo("explain", "tour.yaml", "--robot", step.robot, "--time", step.time, "--set", setting, "--json");
+      const { status, stderr } = avo("explain", FILE, "--robot", step.robot, "--time", step.time, "--set", setting, "--json");
       assert.equal(status, 0, `step ${k + 1}, ${setting}: ${stderr}`);
     }
   });
@@ -30,8 +33,8 @@ test("every step explains its robot at its time, also at the ends of its control
 
 /** How far the velocity that the robot of the step chooses is from the preferred one, m/s. */
 function turnedAside(step, text) {
-  writeFileSync("tour.yaml", text);
-  const { status, stdout, stderr } = avo("explain", "tour.yaml", "--robot", step.robot, "--time", step.time, "--json");
+  writeFileSync(FILE, text);
+  const { status, stdout, stderr } = avo("explain", FILE, "--robot", step.robot, "--time", step.time, "--json");
   assert.equal(status, 0, String(stderr));
   const { new_velocity, preferred_velocity } = JSON.parse(String(stdout));
   return Math.hypot(new_velocity[0] - preferred_velocity[0], new_velocity[1] - preferred_velocity[1]);

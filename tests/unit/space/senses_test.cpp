@@ -118,7 +118,7 @@ TEST(SpaceSenses, errors_stay_within_their_bounds_and_nearly_reach_them) {
   int oldest = 0, unseen = 0;
   for (int step = 0; step < 20000; ++step) {
     senses.note(robots, {}, step);
-    const auto seen = Observer(senses, 0, {}).look_at(1, robots[1]);
+    const auto seen = Observer(senses, 0, {}, {}).look_at(1, robots[1]);
     const double sign = step / 40 % 2 == 0 ? 1.0 : -1.0;
     const Vec3 next = robots[1].velocity + Vec3{0.0, 0.0, sign * 2.0 * h};
     const Robot now = robots[1];
@@ -156,7 +156,8 @@ TEST(SpaceSenses, a_box_between_two_centers_hides) {
   std::vector<Robot> robots;
   for (const RobotSetup& robot : scene.robots) robots.push_back(robot_of(robot));
   senses.note(robots, {}, 0);
-  const Observer observer(senses, 0, scene.boxes);
+  const Solids solids(scene.boxes);
+  const Observer observer(senses, 0, scene.boxes, solids);
   EXPECT_FALSE(observer.look_at(1, robots[1]));
   EXPECT_TRUE(observer.look_at(2, robots[2]));
 }

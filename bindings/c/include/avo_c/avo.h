@@ -911,6 +911,10 @@ AVO_C_API avo_result avo_simulation_is_at_goal(avo_simulation_id simulation, avo
 /// s: when the robot decides next; infinite if it is parked.
 AVO_C_API avo_result avo_simulation_get_next_decision(avo_simulation_id simulation,
                                                       avo_robot_id robot, double* time);
+/// Whether the host moves the robot by set_velocity, or the robot brakes since it was given back.
+/// It decides nothing meanwhile.
+AVO_C_API avo_result avo_simulation_is_moved(avo_simulation_id simulation, avo_robot_id robot,
+                                             bool* is_moved);
 /// Whether the robot decided in the last step.
 AVO_C_API avo_result avo_simulation_decided(avo_simulation_id simulation, avo_robot_id robot,
                                             bool* decided);

@@ -104,6 +104,24 @@ Scenario furnished(Method method) {
   return scene;
 }
 
+// A function of the caller's own is not asked about a robot that does not start yet.
+TEST(ExternalMethod, waits_for_the_start_time_of_a_robot) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({0, 9}, {9, 9})};
+  scene.robots[0].start_time = 1.0;
+  Simulation simulation(with(
+      [](const MethodBatch& batch, std::span<Vec2> velocities) {
+        for (std::size_t i = 0; i < batch.size(); ++i) velocities[i] = {1.0, 0.0};
+      },
+      scene));
+  test::run_for(simulation, 1.0);
+  EXPECT_EQ(simulation.robot({0}).position, Vec2{});
+  EXPECT_GT(simulation.robot({1}).position.x, 0.1);
+  EXPECT_EQ(simulation.perceive({0}).robot.preferred_velocity, (Vec2{1.0, 0.0})) << "it starts now";
+  simulation.step();
+  EXPECT_GT(simulation.robot({0}).velocity.x, 0.0);
+}
+
 TEST(ExternalMethod, chooses_as_a_planner_of_the_library_to_the_bit) {
   for (const auto& [builtin, method] :
        {std::pair{Method::orca, Method::external},

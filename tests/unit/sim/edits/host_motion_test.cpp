@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "avo/events.h"
+#include "avo/explanation.h"
 #include "avo/metrics.h"
 #include "avo/simulation.h"
 #include "unit/sim/hosted.h"
@@ -129,6 +130,75 @@ TEST(HostMotion, brakes_and_decides_again_when_it_is_taken_back) {
   EXPECT_EQ(simulation.setup(kPlayer).avoids.bits, RobotSetup{}.avoids.bits);
   run_for(simulation, 60.0);
   EXPECT_TRUE(simulation.is_at_goal(kPlayer));
+}
+
+// It brakes for longer than a robot needs to be stuck.
+TEST(HostMotion, is_not_stuck_while_it_brakes) {
+  Scenario scene;
+  scene.robots = {robot_at({0, 0}, {0, 50})};
+  scene.robots[0].max_acceleration = 0.5;
+  Simulation simulation(scene, 1);
+  Events events(simulation, {.stuck_after = 2.0});
+  simulation.set_velocity(kPlayer, Vec2{0, -2});
+  simulation.step();
+  simulation.set_velocity(kPlayer, std::nullopt);
+  int braked = 0;
+  for (; simulation.is_moved(kPlayer); ++braked) {
+    simulation.step();
+    EXPECT_TRUE(events.observe(simulation).empty()) << simulation.time();
+  }
+  EXPECT_EQ(braked, 41) << "2 m/s by 0.5 m/s^2";
+}
+
+TEST(HostMotion, brakes_as_its_motion_does) {
+  for (const Motion motion : {Motion::held, Motion::exponential}) {
+    Scenario scene = crowd(0, 1);
+    scene.motion = motion;
+    scene.control_time = 0.2;
+    scene.robots[0].max_acceleration = 3.0, scene.robots[0].max_braking = 1.5;
+    Simulation simulation(scene, 1);
+    simulation.set_velocity(kPlayer, Vec2{2, 0});
+    simulation.step();
+    simulation.set_velocity(kPlayer, std::nullopt);
+    simulation.step();
+    EXPECT_NEAR(simulation.robot(kPlayer).applied_acceleration, 1.5, 1e-9);
+  }
+}
+
+// The host changes a robot while it moves it, so that others would have to see it from farther off.
+TEST(HostMotion, stays_at_rest_where_the_scene_no_longer_allows_it) {
+  Scenario scene;
+  scene.sensing_radius = 30.0;
+  scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({0, 20}, {9, 20})};
+  scene.robots[0].avoids = {3}, scene.robots[1].layers = scene.robots[1].avoids = {2};
+  Simulation simulation(scene, 1);
+  simulation.set_velocity(kPlayer, Vec2{0.5, 0});
+  simulation.step();
+  RobotSetup fast = simulation.setup(kPlayer);
+  fast.max_speed = 20.0;
+  simulation.change_robot(kPlayer, fast);
+  simulation.set_velocity(kPlayer, std::nullopt);
+  run_for(simulation, 5.0);
+  EXPECT_TRUE(simulation.is_moved(kPlayer));
+  EXPECT_EQ(simulation.robot(kPlayer).velocity, Vec2{});
+  fast.max_speed = 2.0;
+  simulation.change_robot(kPlayer, fast);
+  run_for(simulation, 0.2);
+  EXPECT_FALSE(simulation.is_moved(kPlayer));
+  EXPECT_EQ(simulation.setup(kPlayer).avoids.bits, 3U);
+}
+
+TEST(HostMotion, may_become_slower_than_the_velocity_that_was_taken_back) {
+  Simulation simulation(crowd(0, 1), 1);
+  simulation.set_velocity(kPlayer, Vec2{2, 0});
+  simulation.step();
+  RobotSetup slow = simulation.setup(kPlayer);
+  slow.max_speed = 1.0;
+  EXPECT_NE(refusal([&] { simulation.change_robot(kPlayer, slow); }), "");
+  simulation.set_velocity(kPlayer, std::nullopt);
+  run_for(simulation, 1.5);
+  simulation.change_robot(kPlayer, slow);
+  EXPECT_EQ(simulation.setup(kPlayer).max_speed, 1.0);
 }
 
 // Pairs of deciding robots that overlap, and did not one step before.
