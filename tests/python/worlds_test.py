@@ -416,7 +416,7 @@ def test_worlds_leave_the_way_around_walls_to_the_learner():
 
 @pytest.mark.parametrize("make, message", [
     (lambda: avo.env.VectorEnv("planes-12"), "robots.0.model: found airplane, must be holonomic, car or differential"),
-    (lambda: avo.Worlds(1, {**SCENE, "robots": [{"position": [0, 0], "goal": [1, 0], "start_time": 1}]}),
+    (lambda: avo.env.VectorEnv({"version": 1, "robots": [{"position": [0, 0], "goal": [1, 0], "start_time": 1}]}),
      "robots.0.start_time: found one, must be left out"),
     (lambda: avo.env.VectorEnv(SCENE, walls=-1), "walls: found -1, must be a whole number from 0 to 1000"),
     (lambda: avo.env.VectorEnv(SCENE, render_mode="human"), "render_mode: found 'human', must be 'rgb_array' or None"),
