@@ -161,8 +161,7 @@ void find_external(World& world) {
   own.ranks.clear(), own.chosen.clear();
   for (std::size_t rank = 0; rank < world.fleet.size(); ++rank) {
     const std::uint32_t slot = world.fleet.slot_of[rank];
-    if (is_external(world.fleet.conduct[slot].method) && world.fleet.decides(slot) &&
-        !world.waits_to_start(slot))
+    if (is_external(world.fleet.conduct[slot].method) && world.fleet.decides(slot))
       own.ranks.push_back(rank);
   }
 }

@@ -104,7 +104,7 @@ Scenario furnished(Method method) {
   return scene;
 }
 
-// A function of the caller's own is not asked about a robot that does not start yet.
+// What a function of the caller's own chooses for a robot is not taken before the robot starts.
 TEST(ExternalMethod, waits_for_the_start_time_of_a_robot) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({0, 9}, {9, 9})};
@@ -117,7 +117,6 @@ TEST(ExternalMethod, waits_for_the_start_time_of_a_robot) {
   test::run_for(simulation, 1.0);
   EXPECT_EQ(simulation.robot({0}).position, Vec2{});
   EXPECT_GT(simulation.robot({1}).position.x, 0.1);
-  EXPECT_EQ(simulation.perceive({0}).robot.preferred_velocity, (Vec2{1.0, 0.0})) << "it starts now";
   simulation.step();
   EXPECT_GT(simulation.robot({0}).velocity.x, 0.0);
 }
