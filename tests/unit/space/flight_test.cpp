@@ -93,6 +93,7 @@ TEST(QuadrotorFlight, stays_within_the_declared_deviation_of_hostile_references)
       }
     }
   }
+  EXPECT_LE(worst, 0.75);
   // much less would have been declared for nothing
   EXPECT_GT(worst, 0.5);
 }
@@ -147,8 +148,8 @@ class Vehicles {
 };
 
 /// References of quadrotors in a ball, which want contact.
-Crush crush_of(int count, bool declares) {
-  Draws draws(1);
+Crush crush_of(int count, bool declares, std::uint64_t seed) {
+  Draws draws(seed);
   std::vector<Robot> robots;
   for (int k = 0; k < count; ++k) {
     const QuadrotorLimits limits = limits_of(airframe(static_cast<std::size_t>(k)).quadrotor);
@@ -169,21 +170,26 @@ Crush crush_of(int count, bool declares) {
   return {robots, {}, options, draws};
 }
 
+// 7.3·10⁷ ticks of pairs.
 TEST(QuadrotorFleet, of_30_in_a_crush_does_not_touch) {
-  Crush crush = crush_of(30, true);
-  Vehicles vehicles(airframes(30), crush.robots(), kFleetDelay, kTimeStep);
-  for (int k = 0; k < kSteps; ++k) {
-    const std::vector<Robot> before = crush.robots();
-    crush.step();
-    vehicles.fly(before, crush.robots());
+  double least_gap = 1e9;
+  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
+    Crush crush = crush_of(30, true, seed);
+    Vehicles vehicles(airframes(30), crush.robots(), kFleetDelay, kTimeStep);
+    for (int k = 0; k < kSteps; ++k) {
+      const std::vector<Robot> before = crush.robots();
+      crush.step();
+      vehicles.fly(before, crush.robots());
+    }
+    EXPECT_EQ(crush.report().overlaps.count, 0) << seed;
+    EXPECT_EQ(vehicles.contacts(), 0) << seed << " " << vehicles.least_gap();
+    least_gap = std::min(least_gap, vehicles.least_gap());
   }
-  EXPECT_EQ(crush.report().overlaps.count, 0);
-  EXPECT_EQ(vehicles.contacts(), 0) << vehicles.least_gap();
-  EXPECT_LT(vehicles.least_gap(), 0.06);  // they do come close
+  EXPECT_LT(least_gap, 0.06);  // they do come close
 }
 
 TEST(QuadrotorFleet, that_declares_no_deviation_touches) {
-  Crush crush = crush_of(30, false);
+  Crush crush = crush_of(30, false, 1);
   Vehicles vehicles(airframes(30), crush.robots(), kFleetDelay, kTimeStep);
   for (int k = 0; k < kSteps && vehicles.contacts() == 0; ++k) {
     const std::vector<Robot> before = crush.robots();
