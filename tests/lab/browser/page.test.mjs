@@ -29,8 +29,8 @@ async function withBuiltin(name, count, options = {}) {
   return lab;
 }
 
-test("it is one file of 1.95 MB at most", () => {
-  assert.ok(statSync(process.env.AVO_LAB_PAGE).size <= 1.95e6, `${statSync(process.env.AVO_LAB_PAGE).size} bytes`);
+test("it is one file of 2 MB at most", () => {
+  assert.ok(statSync(process.env.AVO_LAB_PAGE).size <= 2e6, `${statSync(process.env.AVO_LAB_PAGE).size} bytes`);
 });
 
 test("what the inspector shows is what avo explain says", async () => {

@@ -137,7 +137,7 @@ void expect_arrival(const Scenario& scene, double limit) {
 }
 
 TEST(SpacePassages, of_one_lane_let_opposed_streams_through_in_turn) {
-  expect_arrival(meeting(block(true, 1.6, 4.0), true, 4.0, 5, 2), 110.0);
+  expect_arrival(meeting(block(true, 1.6, 4.0), true, 4.0, 5, 1), 60.0);
   expect_arrival(meeting(block(false, 1.6, 0.1), false, 0.1, 5, 1), 60.0);
 }
 
