@@ -211,14 +211,15 @@ def check_fused(arguments):
 
 
 def check_odr(arguments):
-    """With its inline namespaces, each layer may use one name for a type of its own. Linking compares all the types."""
+    """With its inline namespaces, each layer may use one name for a type of its own. Linking compares all the types: of
+    the library, of what reads and draws, of the command line and of C."""
     build = arguments.folder / "build"
     flags = "-O0 -flto=2 -Wodr -Werror=odr"
     configure(arguments, ROOT, build, "-DCMAKE_BUILD_TYPE=Debug", f"-DCMAKE_CXX_FLAGS_DEBUG={flags}", "-DAVO_TESTS=OFF",
-              "-DAVO_CLI=OFF", "-DAVO_C=OFF", "-DAVO_SIMD=OFF", "-DBUILD_SHARED_LIBS=ON")
+              "-DAVO_SIMD=OFF", "-DBUILD_SHARED_LIBS=ON")
     build_all(build)
     expect_finds_two_types(arguments, flags.split())
-    print("odr: one type of each name in the library")
+    print("odr: one type of each name in the libraries and the command line")
 
 
 def expect_finds_two_types(arguments, flags):
