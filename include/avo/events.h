@@ -43,8 +43,8 @@ struct EventsOptions {
   /// s, > 0: a robot that makes no progress for so long is stuck. It makes progress if its route
   /// (Simulation::Route::length) has become shorter since its last progress. It must be shorter by
   /// more than a hundredth of what the preferred speed makes in that time. The robot's own motion
-  /// counts, not a change of the route. Robots at their goals, robots that the host steers and
-  /// robots that unreachable() names are never stuck.
+  /// counts, not a change of the route. Robots at their goals, robots that the host steers or
+  /// moves, robots that do not start yet and robots that unreachable() names are never stuck.
   double stuck_after = 3.0;
 };
 

@@ -88,13 +88,8 @@ void Events::State::observe_contacts(const Simulation& simulation,
                                      std::span<const Vec2> positions) {
   const double duration = simulation.time() - time;
   contacts.observe(simulation, positions);
-  for (const MoverContact& contact : contacts.begun()) {
-    const Watched& robot = robots[contact.row];
-    events.push_back({.kind = EventKind::contact,
-                      .robot = robot.id,
-                      .moving_obstacle = {contact.obstacle},
-                      .at_rest = robot.moved <= kStandsStill * robot.max_speed * duration});
-  }
+  for (const MoverContact& contact : contacts.begun())
+    events.push_back(contact_of(robots[contact.row], {contact.obstacle}, duration));
 }
 
 Events::Events(const Simulation& simulation, const EventsOptions& options)

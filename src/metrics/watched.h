@@ -75,6 +75,15 @@ bool watch_progress(WatchedRobot<Vec>& robot, Vec position, double length, const
   return true;
 }
 
+/// The robot has begun to touch a moving obstacle. duration: s, since the observation before.
+template <typename Vec>
+Event contact_of(const WatchedRobot<Vec>& robot, MovingObstacleId obstacle, double duration) {
+  return {.kind = EventKind::contact,
+          .robot = robot.id,
+          .moving_obstacle = obstacle,
+          .at_rest = robot.moved <= kStandsStill * robot.max_speed * duration};
+}
+
 /// Puts events into the order in which they are told.
 inline void sort_events(std::vector<Event>& events) {
   const auto place = [](const Event& event) {

@@ -83,11 +83,8 @@ void Events::State::observe_touches(const Simulation& simulation) {
   find_touches(simulation);
   for (const MoverTouch& touch : touches) {
     if (std::binary_search(touched.begin(), touched.end(), touch)) continue;
-    const WatchedRobot<Vec3>& robot = robots[static_cast<std::size_t>(touch.robot)];
-    events.push_back({.kind = EventKind::contact,
-                      .robot = robot.id,
-                      .moving_obstacle = {touch.mover},
-                      .at_rest = robot.moved <= kStandsStill * robot.max_speed * duration});
+    events.push_back(contact_of(robots[static_cast<std::size_t>(touch.robot)],
+                                MovingObstacleId{touch.mover}, duration));
   }
 }
 

@@ -25,9 +25,10 @@ inline std::string told(std::span<const Event> events) {
   return text;
 }
 
-/// A simulation with its events.
-struct WatchedHost {
-  explicit WatchedHost(const Scenario& scene, double stuck_after = 3.0, int threads = 1)
+/// A simulation with its events, of the plane or of space.
+template <class Scenario, class Simulation, class Events>
+struct WatchedHostOf {
+  explicit WatchedHostOf(const Scenario& scene, double stuck_after = 3.0, int threads = 1)
       : simulation(scene, threads), events(simulation, {.stuck_after = stuck_after}) {}
 
   Simulation simulation;
@@ -46,6 +47,7 @@ struct WatchedHost {
     return text;
   }
 };
+using WatchedHost = WatchedHostOf<Scenario, Simulation, Events>;
 
 inline Scenario watched_scene(std::vector<RobotSetup> robots) {
   Scenario scene;

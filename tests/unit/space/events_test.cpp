@@ -35,26 +35,7 @@ Scenario scene_of(std::vector<RobotSetup> robots) {
   return scene;
 }
 
-/// A simulation with its events.
-struct Host {
-  explicit Host(const Scenario& scene, double stuck_after = 3.0, int threads = 1)
-      : simulation(scene, threads), events(simulation, {.stuck_after = stuck_after}) {}
-
-  Simulation simulation;
-  Events events;
-
-  std::string look() { return told(events.observe(simulation)); }
-  std::string step() {
-    simulation.step();
-    return look();
-  }
-  std::string run(int steps) {
-    std::string text;
-    for (int k = 0; k < steps; ++k)
-      if (const std::string now = step(); !now.empty()) text += (text.empty() ? "" : " ") + now;
-    return text;
-  }
-};
+using Host = test::WatchedHostOf<Scenario, Simulation, Events>;
 
 TEST(EventsInSpace, are_arrivals_when_they_happen_and_once) {
   Host host(scene_of({robot_at({0, 0, 0}, {4, 4, 4}), robot_at({0, 0, 5}, {0, 0, 5})}));
