@@ -71,7 +71,7 @@ void expect_rest(const Scenario& scene) {
   Simulation simulation(scene);
   Metrics metrics(scene);
   metrics.observe(simulation);
-  const double most = 4.0 * last_alone(scene) + 10.0;
+  const double most = 2.0 * last_alone(scene) + 10.0;
   while (!(simulation.steps() > 0 && simulation.all_at_goal() && all_rest(simulation)) &&
          simulation.time() < most) {
     simulation.step();
