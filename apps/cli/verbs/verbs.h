@@ -98,6 +98,7 @@ struct ConvertArguments {
   std::string to;
   std::string name;            ///< of the method of a recording; empty: the recording's stem
   std::optional<double> rate;  ///< Hz, of set points; unset: 50
+  std::string autopilot;       ///< of set points: px4, crazyflie; empty: any
 };
 int convert(const ConvertArguments& arguments);
 
