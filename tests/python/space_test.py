@@ -240,9 +240,10 @@ def test_goals_out_of_reach_are_told():
     simulation = avo.space.Simulation(scene)
     assert simulation.unreachable() == [1] and simulation.distance_left(0) == 0.0
     assert simulation.distance_left(1) == pytest.approx(one["distance_left"], abs=1e-6)
-    length, point = simulation.route(0)
-    assert length == pytest.approx(5 ** 0.5) and point == (2, 0, 1)
-    assert simulation.route(1)[0] == float("inf")
+    route = simulation.route(0)
+    assert route.length == pytest.approx(5 ** 0.5) and route.next == (2, 0, 1) and route.distance_left == 0
+    assert simulation.route(1).length == float("inf") and not simulation.is_at_goal(1)
+    assert simulation.route(1).distance_left == simulation.distance_left(1)
     for of_robot in simulation.distance_left, simulation.route:
         with pytest.raises(avo.Error, match="robot: found 2, must be 0 to 1"):
             of_robot(2)

@@ -23,6 +23,7 @@ Quadrotor = _avo._space.Quadrotor
 Robot = _avo._space.Robot
 Robots = _avo._space.Robots
 RobotSetup = _avo._space.RobotSetup
+Route = _avo._space.Route
 Scenario = _avo._space.Scenario
 SetPoint = _avo._space.SetPoint
 Simulation = _avo._space.Simulation
@@ -54,6 +55,7 @@ __all__ = [
     "Robot",
     "Robots",
     "RobotSetup",
+    "Route",
     "Scenario",
     "SetPoint",
     "Simulation",
