@@ -13,6 +13,7 @@
 #include "avo/explanation.h"
 #include "avo/export.h"
 #include "avo/external_method.h"
+#include "avo/fleet_view.h"
 #include "avo/footprint.h"
 #include "avo/geometry.h"
 #include "avo/half_plane.h"
