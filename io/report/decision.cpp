@@ -34,7 +34,7 @@ Json to_json(const avo::LoiterCircle& circle) {
 
 /// Returns the robot's share of the evasion between the two.
 double share_of(const avo::Robot& self, const avo::Neighbor& neighbor) {
-  if (neighbor.behavior == avo::Behavior::moves_on) return 1.0;
+  if (!shares(neighbor)) return 1.0;
   return avo::reciprocal_share(self.max_acceleration, neighbor.max_acceleration, self.priority,
                                neighbor.priority);
 }

@@ -65,7 +65,7 @@ class Sharing {
   explicit Sharing(const World& world) : fleet_(world.fleet) {
     for (std::uint32_t slot = 0; slot < fleet_.size(); ++slot) {
       goals_.push_back(world.end_of(slot));
-      if (fleet_.conduct[slot].parked || fleet_.flight(slot) != nullptr) continue;
+      if (fleet_.is_parked(slot) || fleet_.flight(slot) != nullptr) continue;
       if (fleet_.heads_for_goal(slot)) slots_.push_back(slot);
     }
     if (are_along_y(goals_))

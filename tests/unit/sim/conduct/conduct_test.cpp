@@ -29,7 +29,7 @@ constexpr LayerSet kNobody{};
 RobotSetup parked_at(Vec2 place, double radius = 0.5) {
   RobotSetup setup = robot_at(place, place);
   setup.radius = radius;
-  setup.parked = true;
+  setup.behavior = Behavior::parked;
   return setup;
 }
 

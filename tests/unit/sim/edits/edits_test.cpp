@@ -296,7 +296,7 @@ TEST(Edits, delayed_senses_see_nothing_of_where_a_moved_robot_was) {
 TEST(Edits, parked_robots_are_not_moved_and_airplanes_fly_on) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {20, 0}), robot_at({8, 0}, {8, 0})};
-  scene.robots[1].parked = true;
+  scene.robots[1].behavior = Behavior::parked;
   Simulation simulation(scene, 1);
   EXPECT_THROW(simulation.move_robot({1}, {8, 9}), Error);
 
