@@ -211,7 +211,7 @@ std::string to_json(const Decision& decision) {
             {"max_braking", braking_limit(self)},
             {"priority", self.priority},
             {"neighbors", neighbors_of(decision)},
-            {"rule", chooses_in_half_planes(decision) ? "half_planes" : "union_of_obstacles"},
+            {"target_by", chooses_in_half_planes(decision) ? "half_planes" : "union_of_obstacles"},
             {"half_planes", half_planes_of(decision)},
             {"walls", walls_of(decision)},
             {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};
