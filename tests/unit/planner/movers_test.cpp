@@ -248,6 +248,7 @@ TEST(Movers, a_parked_one_that_moves_is_invalid) {
   EXPECT_EQ(status([](Neighbor& b) { b.max_deviation = 0.1; }), PlanStatus::invalid_input);
   EXPECT_EQ(status([](Neighbor& b) { b.likely_deviation = 0.1; }), PlanStatus::invalid_input);
   EXPECT_EQ(status([&](Neighbor& b) { b.trajectory = &there; }), PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& b) { b.loiter.emplace(); }), PlanStatus::invalid_input);
 }
 
 }  // namespace

@@ -182,6 +182,15 @@ TEST(Parked, has_arrived_and_counts_for_no_mean) {
   EXPECT_GT(*summary.min_clearance, 3.0);
 }
 
+TEST(Parked, comes_first_where_a_later_robot_starts_in_it) {
+  Scenario scene;
+  scene.robots = {parked_at({0, 0}), robot_at({0.5, 0}, {9, 0})};
+  const BrokenAssumptions broken = broken_assumptions(scene);
+  ASSERT_EQ(broken.starts.size(), 1U);
+  EXPECT_EQ(broken.starts[0].robot, RobotId{0});
+  EXPECT_EQ(broken.starts[0].other, BodyId{RobotId{1}});
+}
+
 // Two crowds at the same places, in layers of their own.
 TEST(Layers, who_is_not_avoided_changes_no_bit) {
   for (const Motion motion : {Motion::held, Motion::exponential}) {
