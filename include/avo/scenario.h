@@ -34,9 +34,6 @@ struct RobotSetup {
   MotionModel model = {};         ///< how it moves
   double heading = 0.0;           ///< rad, counter-clockwise from +x; not read for holonomic robots
   double priority = 1.0;          ///< > 0, see Robot::priority
-  /// It never moves and decides nothing: to the others it is a disc that does not move, and that no
-  /// robot may touch. Its goal is its position, and its velocity is 0.
-  bool parked = false;
   /// Layers that it is in; it heeds the static obstacles of these layers. A parked robot has the
   /// default.
   LayerSet layers{1};
@@ -48,7 +45,8 @@ struct RobotSetup {
   std::optional<double> max_braking = {};
   /// What others count on. To a robot that moves_on they do not leave any share of the avoidance.
   /// They count on its velocity alone, as if it had failed. The robot itself decides as ever. A
-  /// body that reacts to no robot is a MovingObstacle, or avoids no layer.
+  /// body that reacts to no robot is a MovingObstacle, or avoids no layer. The goal of a robot that
+  /// is parked is its position, and its velocity is 0.
   Behavior behavior = Behavior::decides;
   /// The method that chooses its velocities; unset: the scene's. A robot with a method other than
   /// the scene's has the usual options of its own method, see planner_options().
@@ -77,20 +75,24 @@ inline double disc_radius(const RobotSetup& robot) {
   return disc_radius(robot.model, robot.radius);
 }
 
+constexpr bool is_parked(const RobotSetup& robot) {
+  return robot.behavior == Behavior::parked;
+}
+
 /// Returns whether A avoids B: by their layers, or because one of them is parked. A parked robot
 /// and a deciding robot avoid each other, two parked robots do not. If B does not avoid A, B is a
 /// mover to A: it reacts to no other (docs/certificate/movers.md). If A has method avo, B is also a
 /// mover to A if it has another method: B promises nothing (docs/certificate/movers.md, "Robots of
 /// other methods").
 constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
-  if (a.parked || b.parked) return a.parked != b.parked;
+  if (is_parked(a) || is_parked(b)) return is_parked(a) != is_parked(b);
   return (a.avoids.bits & b.layers.bits) != 0;
 }
 
 /// Returns whether the two may not be in one place: one of them avoids the other, or both are
 /// parked.
 constexpr bool keep_apart(const RobotSetup& a, const RobotSetup& b) {
-  return (a.parked && b.parked) || avoids(a, b) || avoids(b, a);
+  return (is_parked(a) && is_parked(b)) || avoids(a, b) || avoids(b, a);
 }
 
 /// How robots on their routes know which other robots are about to pass a narrow passage.

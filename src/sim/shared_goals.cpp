@@ -150,7 +150,7 @@ bool stays_near(const World& world, std::size_t slot) {
 }  // namespace
 
 bool rests_at_goal(const Fleet& fleet, std::size_t slot) {
-  return !fleet.conduct[slot].parked && fleet.flight(slot) == nullptr && fleet.heads_for_goal(slot);
+  return !fleet.is_parked(slot) && fleet.flight(slot) == nullptr && fleet.heads_for_goal(slot);
 }
 
 bool keep_apart(const Conduct& a, const Conduct& b) {

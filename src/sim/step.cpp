@@ -99,7 +99,7 @@ void assemble(World& world, Executor& executor) {
   if (world.changed) make_agenda(world);
   world.summary.is_fast = false;
   for (std::size_t slot = 0; slot < fleet.size() && !world.summary.is_fast; ++slot)
-    world.summary.is_fast = !fleet.conduct[slot].parked && world.is_fast(slot);
+    world.summary.is_fast = !fleet.is_parked(slot) && world.is_fast(slot);
 }
 
 void collect_due(World& world) {
