@@ -97,7 +97,11 @@ avo_result avo_create_simulation(const avo_simulation_def* def, avo_simulation_i
 }
 
 avo_result avo_destroy_simulation(avo_simulation_id simulation) {
-  return guarded([&] { simulations.take(simulation); });
+  return guarded([&] {
+    // no change at all, which is refused within a function that a step calls
+    simulations.at(simulation).simulation.set_goals({}, {});
+    simulations.take(simulation);
+  });
 }
 
 bool avo_simulation_is_valid(avo_simulation_id simulation) {

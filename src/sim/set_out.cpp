@@ -122,6 +122,15 @@ void set_courses(const Fleet& fleet, std::span<const std::uint32_t> slots, Worke
   }
 }
 
+// Returns whether a robot that is told to stop is so slow that it may do so in this step: its
+// approach to the velocity 0 never ends.
+bool stops_now(const RobotColumns& robots, std::size_t k, Vec2 told) {
+  constexpr double kNearlyAtRest = 1e-3;  // of max_speed
+  const double speed = norm(robots.velocity(k));
+  return told == Vec2{} && robots.model[k] == nullptr && speed > 0.0 &&
+         speed <= kNearlyAtRest * robots.max_speed[k];
+}
+
 // Robots with a preferred velocity of the host do not come to rest at a goal.
 void take_told(const World& world, std::span<const std::uint32_t> slots, Worker& worker) {
   RobotColumns& robots = worker.tile.robots;
@@ -129,7 +138,8 @@ void take_told(const World& world, std::span<const std::uint32_t> slots, Worker&
     const std::optional<Vec2> v = world.steered(slots[k]);
     if (!v) continue;
     robots.preferred_x[k] = v->x, robots.preferred_y[k] = v->y;
-    robots.distance_to_goal[k] = std::numeric_limits<double>::infinity();
+    robots.distance_to_goal[k] =
+        stops_now(robots, k, *v) ? 0.0 : std::numeric_limits<double>::infinity();
     if (worker.told != nullptr) *worker.told = Guide::host;
   }
 }

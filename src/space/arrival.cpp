@@ -62,16 +62,6 @@ Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looke
   return traffic;
 }
 
-Vec3 axis_across(Vec3 heading) {
-  constexpr double kSteep = 0.1;  // the squared cosine of a course that is steep
-  const double length = norm(heading);
-  if (!(length > 0.0)) return {0.0, 0.0, 1.0};
-  const Vec3 d = heading / length, up{0.0, 0.0, 1.0}, ahead{1.0, 0.0, 0.0};
-  Vec3 axis = up - d.z * d;
-  if (norm_squared(axis) < kSteep) axis = ahead - d.x * d;
-  return axis / norm(axis);
-}
-
 Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
   const Vec2 turned = avo::turned_right({1.0, 0.0}, angle);
   return turned.x * a + turned.y * cross(axis, a) + ((1.0 - turned.x) * dot(axis, a)) * axis;

@@ -6,6 +6,7 @@
 #include "planner/rules/arrival.h"
 #include "space/bodies.h"
 #include "space/look.h"
+#include "space/turn_axis.h"
 
 namespace avo::space {
 
@@ -21,10 +22,6 @@ Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looke
 /// m: the range in which others ahead are traffic. Beyond it only those that are nearly in contact
 /// count.
 double traffic_range(const Robot& robot);
-
-/// A unit axis across the course, about which a robot turns to its right. It points up as seen
-/// along the course, and ahead along x where the course is steep.
-Vec3 axis_across(Vec3 heading);
 
 /// a turned by an angle in [0, π) rad, clockwise as seen from the tip of a unit axis.
 Vec3 turned_right(Vec3 a, Vec3 axis, double angle);

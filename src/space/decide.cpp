@@ -231,7 +231,7 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
                     law,
                     haste_of(numbers_of(robot), execution),
                     horizons.front(),
-                    axis_across(robot.preferred_velocity),
+                    turn_axis(robot, around.boxes),
                     to_own(robot.velocity, robot.vertical),
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
                     look,

@@ -72,15 +72,19 @@ class SpacePlaceSearch {
     return norm_squared(other.position - seeker_.goal) <= most * most;
   }
 
+  // The point of a circle that is nearest to the aim; none where all are as near.
+  static std::optional<Vec3> nearest_on_circle(Vec3 aim, Vec3 middle, Vec3 axis, double radius) {
+    const Vec3 to_aim = aim - middle;
+    const Vec3 across = to_aim - dot(to_aim, axis) * axis;
+    const double length = norm(across);
+    if (!(length > kRoundedOff * radius)) return std::nullopt;
+    return middle + (radius / length) * across;
+  }
+
   // The point of a circle that is nearest to the goal; where all are as near, to the seeker.
   [[nodiscard]] std::optional<Vec3> nearest_on_circle(Vec3 middle, Vec3 axis, double radius) const {
-    for (const Vec3 aim : {seeker_.goal, seeker_.position}) {
-      const Vec3 to_aim = aim - middle;
-      const Vec3 across = to_aim - dot(to_aim, axis) * axis;
-      const double length = norm(across);
-      if (length > kRoundedOff * radius) return middle + (radius / length) * across;
-    }
-    return std::nullopt;
+    const auto place = nearest_on_circle(seeker_.goal, middle, axis, radius);
+    return place ? place : nearest_on_circle(seeker_.position, middle, axis, radius);
   }
 
   void try_tangents(const SpaceResting& other) {
@@ -100,11 +104,15 @@ class SpacePlaceSearch {
     const Vec3 axis = between / d;
     const double along = (d * d + a * a - b * b) / (2.0 * d);
     const double across = std::sqrt(std::max(a * a - along * along, 0.0));
-    const auto place = nearest_on_circle(first.position + along * axis, axis, across);
+    const Vec3 middle = first.position + along * axis;
+    const auto place = nearest_on_circle(middle, axis, across);
     if (!place) return;
-    // the ball that covers this place leaves two others of the circle
-    if (const SpaceResting* third = try_place(*place))
-      try_corners(first, axis, along, across, *third);
+    const SpaceResting* third = try_place(*place);
+    if (third == nullptr) return;
+    // the ball that covers this place, or hides it, leaves other places of the circle
+    try_corners(first, axis, along, across, *third);
+    if (const auto seen = nearest_on_circle(seeker_.position, middle, axis, across))
+      try_place(*seen);
   }
 
   // Where a third ball meets the circle of two, which has that axis.

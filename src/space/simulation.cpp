@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "avo/space/simulation.h"
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -96,7 +97,9 @@ bool Simulation::all_at_goal() const {
 }
 
 bool Simulation::can_step_by(double time) const {
-  return this->time() < time - 0.5 * state_->scenario.time_step;
+  constexpr double kOfQuotient = 1e-12;  // of a quotient of decimal fractions
+  const double steps = std::floor(time / state_->scenario.time_step * (1.0 + kOfQuotient));
+  return static_cast<double>(state_->steps) < steps;
 }
 
 Simulation::Route Simulation::route(RobotId robot) const {

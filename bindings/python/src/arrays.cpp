@@ -57,6 +57,7 @@ void fill(py::array_t<double>& array, std::span<const double> values) {
 }
 
 std::span<const avo::Vec2> rows(const char* name, const Numbers& array) {
+  if (array.ndim() == 1 && array.size() == 0) return {};  // an empty list has no second dimension
   if (array.ndim() < 2 || array.shape(array.ndim() - 1) != 2)
     throw avo::Error(fmt::format("{}: found shape {}, must be (n, 2)", name, shape_of(array)));
   return {reinterpret_cast<const avo::Vec2*>(array.data()),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "avo/scenario.h"
+#include "avo_io/scene.h"
 #include "casters.h"
 
 namespace avo_python {
@@ -39,8 +40,10 @@ void bind_batches(py::module_& module);
 }  // namespace space
 
 /// Returns the scenario of the name of a built-in scene, a path, a dict, or a Scenario itself.
-/// `overrides` is a dict by dotted keys, a list of "key=value", or None.
-avo::Scenario scenario_of(const py::object& source, const py::object& overrides);
+/// `overrides` is a dict by dotted keys, a list of "key=value", or None. made_of, if given,
+/// receives the texts that a scene with a name, a path or a dict is made of.
+avo::Scenario scenario_of(const py::object& source, const py::object& overrides,
+                          avo_io::SceneSource* made_of = nullptr);
 
 /// Returns the model for a robot of that radius, m: a differential drive without an offset takes
 /// usual_offset().
@@ -64,6 +67,8 @@ std::vector<std::string> overrides_of(const py::object& overrides);
 /// Returns the path of a str, bytes or os.PathLike in the bytes of the system, which may be no
 /// UTF-8.
 std::string path_of(const py::object& path);
+/// The path of a recording to write. Throws Error for the endings of other formats.
+std::string recording_path(const py::object& path);
 
 /// Returns the object that Python's json makes of the text.
 py::object from_json(const std::string& text);

@@ -111,8 +111,10 @@ struct type_caster<avo::LayerSet> {
   bool load(handle source, bool) {
     if (!PySequence_Check(source.ptr()) || PyUnicode_Check(source.ptr())) return false;
     value = {};
-    for (const handle layer : reinterpret_borrow<sequence>(source)) {
-      if (!PyLong_Check(layer.ptr())) return false;
+    for (const handle given : reinterpret_borrow<sequence>(source)) {
+      if (!PyIndex_Check(given.ptr())) return false;  // whole numbers, those of NumPy as well
+      const auto layer = reinterpret_steal<object>(PyNumber_Index(given.ptr()));
+      if (!layer) throw error_already_set();
       int overflow = 0;
       const long long number = PyLong_AsLongLongAndOverflow(layer.ptr(), &overflow);
       if (overflow != 0 || number < 0 || number > 31)

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -123,9 +124,17 @@ avo::MetricsOptions options_of(bool crowd, const Line& line,
 /// Does what `avo run` does: it simulates to the end of the scene.
 py::object run(const py::object& scene, int threads, const py::object& record, bool crowd,
                const Line& line, const std::vector<std::uint64_t>& judged) {
-  const avo::Scenario scenario = scenario_of(scene, py::none());
-  std::optional<avo_io::CsvRecording> recording;
-  if (!record.is_none()) recording.emplace(path_of(record), avo_io::has_headings(scenario));
+  avo_io::SceneSource source;
+  const avo::Scenario scenario = scenario_of(scene, py::none(), &source);
+  std::unique_ptr<avo_io::Recording> recording;
+  if (!record.is_none()) {
+    const std::string path = recording_path(record);
+    if (avo_io::is_hdf5_path(path) && source.yaml.empty())
+      throw avo::Error(
+          "record: found HDF5 for a Scenario, must be CSV, or HDF5 with the name, the file or the "
+          "dict of a scene, which HDF5 contains");
+    recording = avo_io::open_recording(path, scenario, source);
+  }
   std::string json;
   {
     using Clock = std::chrono::steady_clock;
@@ -146,14 +155,14 @@ py::object run(const py::object& scene, int threads, const py::object& record, b
       const py::gil_scoped_acquire acquire;
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
-    if (recording) recording->commit();
+    if (recording) recording->finish(simulation), recording->commit();
     json = avo_io::to_json(metrics.summary());
   }
   return from_json(json);
 }
 
 /// Throws Error for a simulation of another scene, as far as names and robots show it. Robots that
-/// were added later belong to no scene.
+/// were added later belong to no scene. Call it before the host can have changed robots.
 void require_same(const avo::Scenario& scenario, const avo::Simulation& simulation,
                   const std::string& name) {
   if (!name.empty() && name != scenario.name)
@@ -178,6 +187,7 @@ struct SharedMetrics {
   std::mutex mutex;
   avo::Scenario scenario;
   avo::Metrics metrics;
+  bool has_observed = false;
 
   SharedMetrics(const py::object& scene, bool crowd, const Line& line,
                 const std::vector<std::uint64_t>& judged)
@@ -186,8 +196,9 @@ struct SharedMetrics {
   void observe(SharedSimulation& simulation) {
     simulation.alone([&](const avo::Simulation& s) {
       const std::lock_guard lock(mutex);
-      require_same(scenario, s, simulation.name());
+      if (!has_observed) require_same(scenario, s, simulation.name());
       metrics.observe(s);
+      has_observed = true;
     });
   }
   std::string summary() {
@@ -219,11 +230,11 @@ void bind_reports(py::module_& module) {
       "max_acceleration, are judged where they are given. movers_at_rest: whether a robot at rest "
       "may be "
       "run over, \"ok\", or is unsafe then, \"collision\".");
-  module.def("run", &run, arg("scene"), py::kw_only(), arg("threads") = 0,
-             arg("record") = py::none(), arg("crowd") = false, arg("line") = py::none(),
-             arg("judged") = std::vector<std::uint64_t>(),
-             "Runs a scene to its end: a dict, as `avo run --summary`. record: file of the "
-             "recording, which is whole or not there. crowd, line, judged: see Metrics.");
+  module.def(
+      "run", &run, arg("scene"), py::kw_only(), arg("threads") = 0, arg("record") = py::none(),
+      arg("crowd") = false, arg("line") = py::none(), arg("judged") = std::vector<std::uint64_t>(),
+      "Runs a scene to its end: a dict, as `avo run --summary`. record: file of the "
+      "recording, .csv or .h5, which is whole or not there. crowd, line, judged: see Metrics.");
   py::class_<SharedMetrics>(module, "Metrics", "What a run did.")
       .def(py::init<const py::object&, bool, const Line&, const std::vector<std::uint64_t>&>(),
            arg("scene"), py::kw_only(), arg("crowd") = false, arg("line") = py::none(),

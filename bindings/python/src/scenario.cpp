@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes of any origin; all go through the reader of scene files.
+#include <filesystem>
+#include <fmt/format.h>
 #include <pybind11/eval.h>
 #include <utility>
 
 #include "avo/assumptions.h"
 #include "avo/reachability.h"
+#include "avo_io/printable.h"
+#include "avo_io/recording.h"
 #include "avo_io/scene.h"
 #include "external.h"
 #include "fields.h"
@@ -62,11 +66,10 @@ Scenario parse(const std::string& yaml, const std::string& file, const py::objec
   return avo_io::parse_scenario(yaml, file, all);
 }
 
-Scenario load(const std::string& name, const py::object& overrides) {
+Scenario load(const std::string& name, const py::object& overrides, avo_io::SceneSource& source) {
   if (name == "-")
     throw avo::Error("scene: found \"-\", must be a name or a file; see from_yaml()");
   const auto all = overrides_of(overrides);
-  avo_io::SceneSource source;
   Scenario scenario = [&] {
     const py::gil_scoped_release release;
     return avo_io::load_scenario(name, all, &source);
@@ -120,13 +123,26 @@ std::string path_of(const py::object& path) {
   return bytes;
 }
 
-Scenario scenario_of(const py::object& source, const py::object& overrides) {
+std::string recording_path(const py::object& path) {
+  const std::string name = path_of(path);
+  const std::string ending = std::filesystem::path(name).extension().string();
+  if (!ending.empty() && ending != ".csv" && !avo_io::is_hdf5_path(name))
+    throw avo::Error(fmt::format("record: found the ending {}, must be .csv, .h5 or none",
+                                 avo_io::printable(ending)));
+  return name;
+}
+
+Scenario scenario_of(const py::object& source, const py::object& overrides,
+                     avo_io::SceneSource* made_of) {
   if (py::isinstance<Scenario>(source)) {
     if (overrides.is_none()) return source.cast<Scenario>();
     throw avo::Error("overrides: found beside a Scenario, must be given where it is made");
   }
-  if (py::isinstance<py::dict>(source)) return parse(json_of(source), "dict", overrides);
-  return load(path_of(source), overrides);
+  avo_io::SceneSource own;
+  avo_io::SceneSource& texts = made_of != nullptr ? *made_of : own;
+  if (!py::isinstance<py::dict>(source)) return load(path_of(source), overrides, texts);
+  texts.name = "dict", texts.yaml = json_of(source), texts.overrides = overrides_of(overrides);
+  return parse(texts.yaml, texts.name, overrides);
 }
 
 void bind_scenario(py::module_& module) {
@@ -134,7 +150,10 @@ void bind_scenario(py::module_& module) {
                              "A scene: robots, obstacles, and how they are simulated. Read only.");
   bind_fields(scene, avo_io::scene_fields(), "sensing_radius");
   scene
-      .def(py::init(&scenario_of), arg("source"), arg("overrides") = py::none(),
+      .def(py::init([](const py::object& source, const py::object& overrides) {
+             return scenario_of(source, overrides);
+           }),
+           arg("source"), arg("overrides") = py::none(),
            "source: name of a built-in scene, path of a scene file, or a dict with the keys of "
            "scene files. overrides: {\"robots.0.radius\": 0.4}, or [\"robots.0.radius=0.4\"]. "
            "Raises Error with the reader's message, and warns of what is left out of the files of "

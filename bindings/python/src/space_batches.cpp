@@ -50,7 +50,8 @@ struct SpacePlans {
 std::vector<Vec3> places(const char* name, const py::object& given,
                          std::optional<std::size_t> count = {}) {
   const Numbers array = numbers(name, given);
-  if (array.ndim() != 2 || array.shape(1) != 3)
+  const bool is_empty_list = array.ndim() == 1 && array.size() == 0;
+  if (!is_empty_list && (array.ndim() != 2 || array.shape(1) != 3))
     throw avo::Error(fmt::format("{}: found shape {}, must be (n, 3)", name, shape_of(array)));
   const auto n = static_cast<std::size_t>(array.shape(0));
   if (count && n != *count)

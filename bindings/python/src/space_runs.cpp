@@ -47,7 +47,7 @@ py::object run(const py::object& scene, int threads, const py::object& record, b
   const Scenario scenario = loaded ? *loaded : scenario_of_space(scene, py::none());
   std::unique_ptr<avo_io::SpaceRecording> recording;
   if (!record.is_none()) {
-    const std::string path = path_of(record);
+    const std::string path = recording_path(record);
     if (avo_io::is_hdf5_path(path) && !loaded)
       throw avo::Error(
           "record: found HDF5 without a scene file, must be CSV, or with the path of "

@@ -23,8 +23,13 @@ struct AxisRange {
   [[nodiscard]] bool is_finite() const { return std::isfinite(low) && std::isfinite(high); }
   [[nodiscard]] bool contains(double x) const { return low <= x && x <= high; }
 };
-AxisRange common(AxisRange a, AxisRange b) {
-  return {std::max(a.low, b.low), std::min(a.high, b.high)};
+// What both contain: one point where they are no farther apart than `rounding`, m. Thin boxes that
+// are turned by a right angle are in line up to rounding.
+AxisRange common(AxisRange a, AxisRange b, double rounding) {
+  const AxisRange both{std::max(a.low, b.low), std::min(a.high, b.high)};
+  if (both.low > both.high && both.low - both.high <= rounding)
+    return {both.middle(), both.middle()};
+  return both;
 }
 
 using Extents = std::array<AxisRange, 3>;  // along x, y and z of a frame
@@ -112,7 +117,8 @@ std::vector<FacesApart> faces_apart(const Aligned& aligned, std::size_t along, d
                               [&](std::size_t k, double x) { return low(k) < x; });
     for (; b != order.end() && low(*b) <= face + (1.0 + kTouches) * widest; ++b) {
       FacesApart between;
-      for (std::size_t k = 0; k < 3; ++k) between.room[k] = common(a[k], aligned.boxes[*b][k]);
+      for (std::size_t k = 0; k < 3; ++k)
+        between.room[k] = common(a[k], aligned.boxes[*b][k], kTouches * narrowest);
       between.room[along] = {face, low(*b)};
       const bool meet = std::all_of(between.room.begin(), between.room.end(),
                                     [](AxisRange i) { return i.low <= i.high; });
@@ -137,7 +143,8 @@ bool is_open(const Solids& solids, const Tube& tube) {
 std::optional<Tube> tube_of(const Aligned& aligned, std::size_t first, std::size_t second,
                             const Extents& a, const Extents& b) {
   const std::size_t along = 3 - first - second;
-  const AxisRange width = a[first], height = b[second], length = common(a[along], b[along]);
+  const AxisRange width = a[first], height = b[second];
+  const AxisRange length = common(a[along], b[along], kTouches * width.length());
   if (!(length.low <= length.high) || !length.is_finite()) return std::nullopt;
   if (!b[first].contains(width.middle()) || !a[second].contains(height.middle()))
     return std::nullopt;

@@ -6,11 +6,14 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "avo/space/metrics.h"
 #include "avo/space/simulation.h"
+#include "core/elementary.h"
 #include "unit/space/draws.h"
 #include "unit/space/shortest.h"
 
@@ -83,6 +86,36 @@ TEST(SpacePassages, do_not_depend_on_how_a_wall_is_cut_into_boxes_or_turned) {
   ASSERT_EQ(window.size(), 1U);
   EXPECT_NEAR(std::abs(window[0].axis.x), std::cos(0.7), 1e-12);
   EXPECT_NEAR(std::abs(window[0].axis.y), std::sin(0.7), 1e-12);
+}
+
+// A wall without thickness from a to b, as scenes make it of a polyline.
+Box thin_wall(Vec2 a, Vec2 b, double low, double high) {
+  Box box;
+  box.heading = elementary::atan2(b.y - a.y, b.x - a.x);
+  const Vec2 axis = elementary::direction(box.heading);
+  const double from = axis.x * a.y - axis.y * a.x, to = axis.x * b.y - axis.y * b.x;
+  box.min = {dot(axis, a), std::min(from, to), low};
+  box.max = {dot(axis, b), std::max(from, to), high};
+  return box;
+}
+
+// Rounding leaves thin boxes out of line, some more than others.
+TEST(SpacePassages, are_windows_in_thin_walls_whatever_their_directions) {
+  for (int turn = 0; turn < 16; ++turn) {
+    for (int reversed = 0; reversed < 16; ++reversed) {
+      SCOPED_TRACE(testing::Message() << turn << ' ' << reversed);
+      const double angle = turn * std::numbers::pi / 8.0;
+      const Vec2 along{std::cos(angle), std::sin(angle)};
+      std::vector<Box> walls;
+      const auto add = [&](double from, double to, double low, double high) {
+        if ((reversed >> walls.size()) % 2 != 0) std::swap(from, to);
+        walls.push_back(thin_wall(from * along, to * along, low, high));
+      };
+      add(-6.0, -0.8, -3.0, 3.0), add(0.8, 6.0, -3.0, 3.0);
+      add(-0.8, 0.8, -3.0, -0.8), add(-0.8, 0.8, 0.8, 3.0);
+      EXPECT_EQ(passages_of(walls).size(), 1U);
+    }
+  }
 }
 
 TEST(SpacePassages, are_of_the_largest_robots_that_fit) {
