@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values with the same bytes in C and C++, so that columns are lent without a copy.
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <type_traits>
 
@@ -66,6 +67,10 @@ AVO_SAME_PLACE(avo_base_command, avo::BaseCommand, deviation);
 AVO_SAME_PLACE(avo_base_command, avo::BaseCommand, has_left);
 
 #undef AVO_SAME_PLACE
+
+inline avo::ExecutionModel execution_of(const avo_execution_model& model) {
+  return std::bit_cast<avo::ExecutionModel>(model);
+}
 
 // the numbers of words
 template <typename Cpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as data: robots, moving obstacles, and how they are simulated. SI units.
+// A scene as data: robots, and how they are simulated. SI units.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,9 @@
 #include "avo/execution.h"
 #include "avo/export.h"
 #include "avo/external_method.h"
+#include "avo/moving_obstacle.h"
 #include "avo/planner.h"
+#include "avo/sensing.h"
 #include "avo/teams.h"
 #include "avo/trajectory.h"
 #include "avo/vec.h"
@@ -93,103 +95,12 @@ constexpr bool keep_apart(const RobotSetup& a, const RobotSetup& b) {
   return (is_parked(a) && is_parked(b)) || avoids(a, b) || avoids(b, a);
 }
 
-/// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a
-/// trajectory says.
-struct MovingObstacle {
-  Vec2 position = {};      ///< m
-  Vec2 velocity = {};      ///< m/s
-  Vec2 acceleration = {};  ///< m/s^2; 0 with max_speed
-  double radius = 0.5;     ///< m, > 0
-  /// m/s^2, >= 0: robots allow for its acceleration to differ that much from `acceleration`, at any
-  /// time.
-  double max_deviation = 0.0;
-  /// m/s, > 0, with max_deviation: a speed that it never exceeds
-  std::optional<double> max_speed = {};
-  /// m: it moves to these points in turn, and then to the first again, see next_on_path(). A path
-  /// needs max_deviation and max_speed; empty: no path. Robots that sense exactly and decide at the
-  /// same times know where it will be.
-  std::vector<Vec2> path = {};
-  /// By ascending times: it moves straight and evenly from each of these places to the next. Before
-  /// the first time and after the last one it stands there. Its position and velocity must be those
-  /// at 0 s, see start_on_trajectory(). It then has no acceleration and no path. Empty: no
-  /// trajectory.
-  std::vector<TimedPlace> trajectory = {};
-};
-
-/// Where a moving obstacle is on its path at the beginning of a step.
-struct PathWalk {
-  Vec2 position, velocity;       ///< m, m/s
-  std::uint32_t next_point = 0;  ///< position in its path of the point that it moves to
-};
-/// Returns the walk one step later. The acceleration is held over the step and is within
-/// max_deviation. It moves straight to that point, as fast as max_speed and stopping there allow.
-/// It has reached a point when its disc covers the point.
-AVO_API PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk,
-                              double time_step);
-
-/// Returns its place on its trajectory at a time, and the velocity with which it goes on. The time
-/// is the end of a step: within a step it moves straight from one place to the other. next_point:
-/// the position of the place that it moves to.
-AVO_API PathWalk on_trajectory(const MovingObstacle& obstacle, double time);
-/// Sets its state to that of its trajectory at 0 s, if it has one.
-AVO_API void start_on_trajectory(MovingObstacle& obstacle);
-
 /// How robots on their routes know which other robots are about to pass a narrow passage.
 enum class RightOfWay : std::uint8_t {
   none,  ///< they ignore passages
   seen,  ///< from the place and the motion of each robot
 };
 AVO_API const char* to_string(RightOfWay right_of_way);
-
-/// The distribution of MeasurementNoise.
-enum class NoiseDistribution : std::uint8_t { gaussian, uniform };
-AVO_API const char* to_string(NoiseDistribution distribution);
-
-/// The error of each coordinate of a measurement, independent and new each time.
-struct MeasurementNoise {
-  double position = 0.0;  ///< m, >= 0: standard deviation; for uniform noise the bound
-  double velocity = 0.0;  ///< m/s, >= 0: standard deviation; for uniform noise the bound
-  NoiseDistribution distribution = NoiseDistribution::gaussian;
-  /// Gaussian noise stays within so many standard deviations, > 0, <= 8; unset: 3. Uniform noise
-  /// has no truncation.
-  std::optional<double> truncated = {};
-  friend constexpr bool operator==(const MeasurementNoise&, const MeasurementNoise&) = default;
-};
-
-/// The error of each coordinate of a robot's own position, new each time. A robot knows its
-/// velocity and heading.
-struct LocalizationNoise {
-  double position = 0.0;  ///< m, >= 0: standard deviation; for uniform noise the bound
-  NoiseDistribution distribution = NoiseDistribution::gaussian;
-  std::optional<double> truncated = {};  ///< see MeasurementNoise
-  friend constexpr bool operator==(const LocalizationNoise&, const LocalizationNoise&) = default;
-};
-
-/// How robots sense others and themselves: what a simulation makes of the true states before a
-/// robot uses them. All of it depends on the seed, the step and the two robots alone
-/// (docs/scenes.md, "Sensing").
-struct SensingModel {
-  MeasurementNoise noise = {};
-  /// Whole steps, 0 to kMostDelay, from a measurement to the decision; states are extrapolated
-  /// meanwhile.
-  int delay = 0;           ///< where the clock is free, steps of Scenario::time_step
-  double dropped = 0.0;    ///< 0 to 0.999: share of the measurements that are missed
-  bool occlusion = false;  ///< a robot is not sensed if its center is behind an obstacle
-  /// Others are sensed relative to the robot. This is the error of the map that it knows: walls,
-  /// and its goal.
-  LocalizationNoise localization = {};
-  friend constexpr bool operator==(const SensingModel&, const SensingModel&) = default;
-
-  /// Returns whether robots sense the true states of others and of themselves.
-  [[nodiscard]] constexpr bool is_exact() const { return *this == SensingModel{}; }
-  /// Returns whether a robot may be sensed in one step and not in the next; it is extrapolated
-  /// meanwhile.
-  [[nodiscard]] constexpr bool misses() const { return dropped > 0.0 || occlusion; }
-};
-inline constexpr double kUsualTruncation = 3.0;  ///< standard deviations
-inline constexpr int kMostDelay = 100;           ///< steps
-/// Steps for which a missed robot is extrapolated, with its Neighbor::age; then it is forgotten.
-inline constexpr int kMostCarried = 10;
 
 /// A scene: the moving bodies, their surroundings, and how they are simulated. Its fields are the
 /// keys of scene files.

@@ -181,6 +181,7 @@ void step(World& world) {
     step_together(world, executor);
   }
   go_around_resting(world);
+  note_resting(world);
   for (Worker& worker : world.workers) {
     fast = fast || worker.fast;
     worker.fast = false;

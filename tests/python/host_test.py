@@ -69,7 +69,8 @@ def test_many_at_once():
     assert simulation.goal().tolist()[2] == [0, 19]
     simulation.set_preferred_velocities([0, 2], [[1, 0], [0.5, 0.5]])
     new = [avo.RobotSetup(position=(50 + 3 * k, 0), goal=(50, 9)) for k in range(2)]
-    assert simulation.add_robots(new) == [4, 5]
+    roster = simulation.roster
+    assert simulation.add_robots(new) == [4, 5] and simulation.roster != roster
     before = simulation.save()
     with pytest.raises(avo.Error, match="robot 6"):
         simulation.add_robots(new)
