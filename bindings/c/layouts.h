@@ -95,6 +95,7 @@ static_assert(is(AVO_FILL_SOLID, avo::Fill::solid));
 static_assert(is(AVO_FILL_BOUNDS, avo::Fill::bounds));
 static_assert(is(AVO_BEHAVIOR_MOVES_ON, avo::Behavior::moves_on));
 static_assert(is(AVO_BEHAVIOR_COOPERATES, avo::Behavior::cooperates));
+static_assert(is(AVO_BEHAVIOR_PARKED, avo::Behavior::parked));
 static_assert(is(AVO_ACCELERATION_SET_EXACT, avo::AccelerationSet::exact));
 static_assert(is(AVO_AFTER_GOAL_LEAVE, avo::AfterGoal::leave));
 static_assert(is(AVO_PLAN_LEAST_UNSAFE, avo::PlanStatus::least_unsafe));

@@ -311,6 +311,16 @@ def test_set_points_follow_the_reference_one_delay_late():
     with pytest.raises(avo.Error):
         avo.space.Quadrotor(max_tilt=2.0)
 
+    px4 = avo.space.px4_set_point(late, 1.5)  # along x, which is east
+    assert px4.timestamp == 1_500_000 and px4.position == pytest.approx((0, late.position[0], -1))
+    assert px4.velocity[1] == pytest.approx(late.velocity[0]) and px4.acceleration[1] == pytest.approx(2)
+    assert np.isnan((*px4.jerk, px4.yaw, px4.yawspeed)).all()
+    crazyflie = avo.space.crazyflie_set_point(late)
+    assert crazyflie.position == pytest.approx(late.position) and crazyflie.orientation == (0, 0, 0, 1)
+    assert (crazyflie.roll_rate, crazyflie.pitch_rate, crazyflie.yaw_rate) == (0, 0, 0)
+    with pytest.raises(avo.Error, match="time: found -1, must be >= 0 s"):
+        avo.space.px4_set_point(late, -1)
+
 
 def test_worlds_for_learning_keep_drones_apart_whatever_the_actions_are(scene):
     env = avo.env.VectorEnv(scene, 2, neighbors=3, walls=1, max_steps=60)

@@ -191,6 +191,8 @@ int convert(const ConvertArguments& arguments) {
   catch_signals(Patience::none);
   if (arguments.to == kSetPoints) return convert_to_set_points(arguments);
   if (arguments.rate) throw UsageError("--rate: found without --to set-points, must be with it");
+  if (!arguments.autopilot.empty())
+    throw UsageError("--autopilot: found without --to set-points, must be with it");
   const ExportFormat format = format_of(arguments);
   if (arguments.recording == "-" && arguments.scene.scene == "-")
     throw UsageError("the recording and --scene: found - twice, must be one standard input only");

@@ -100,6 +100,7 @@ struct ConvertArguments {
   std::string name;              ///< of the method of a recording; empty: the recording's stem
   std::optional<double> radius;  ///< m, of robots that only the motion has; unset: kRadiusOfPeople
   std::optional<double> rate;    ///< Hz, of set points; unset: 50
+  std::string autopilot;         ///< of set points: px4, crazyflie; empty: any
 };
 int convert(const ConvertArguments& arguments);
 

@@ -34,8 +34,7 @@ _Output = Literal["velocity", "acceleration"]
 _Motion = Literal["held", "exponential"]
 _Certificate = Literal["none", "braking_trajectories"]
 _Clock = Literal["common", "free"]
-_Behavior = Literal["decides", "moves_on", "cooperates"]
-_RobotBehavior = Literal["decides", "cooperates", "moves_on"]
+_Behavior = Literal["decides", "moves_on", "cooperates", "parked"]
 _Fill = Literal["none", "solid", "bounds"]
 _Status = Literal["optimal", "least_unsafe", "refused", "braking", "overlapping", "invalid_input", "detour"]
 _EventKind = Literal["gone", "came", "left", "arrived", "unreachable", "stuck", "contact"]
@@ -345,10 +344,9 @@ class RobotSetup:
     preferred_speed: _Number
     priority: _Number
     max_braking: _NumberOrNone
-    parked: bool
     layers: _Layers
     avoids: _Layers
-    behavior: _RobotBehavior
+    behavior: _Behavior
     time_step: _NumberOrNone
     method: _Method | None
     time_horizon: _NumberOrNone
@@ -370,10 +368,9 @@ class RobotSetup:
         preferred_speed: _Float | None = None,
         priority: _Float = 1.0,
         max_braking: _Float | None = None,
-        parked: bool = False,
         layers: Sequence[int] = ...,
         avoids: Sequence[int] = ...,
-        behavior: _RobotBehavior = "decides",
+        behavior: _Behavior = "decides",
         time_step: _Float | None = None,
         method: _Method | None = None,
         time_horizon: _Float | None = None,
@@ -906,10 +903,9 @@ class Simulation:
         preferred_speed: _Float = ...,
         priority: _Float = ...,
         max_braking: _Float | None = ...,
-        parked: bool = ...,
         layers: Sequence[int] = ...,
         avoids: Sequence[int] = ...,
-        behavior: _RobotBehavior = ...,
+        behavior: _Behavior = ...,
         method: _Method | None = ...,
         time_horizon: _Float | None = ...,
         arrival_distance: _Float | None = ...,

@@ -171,9 +171,10 @@ enum {
 
 typedef int32_t avo_behavior;
 enum {
-  AVO_BEHAVIOR_DECIDES = 0,    ///< it plans as this robot does, at the same times
-  AVO_BEHAVIOR_MOVES_ON = 1,   ///< it reacts to no robot
-  AVO_BEHAVIOR_COOPERATES = 2  ///< it does its share, and does not promise to brake
+  AVO_BEHAVIOR_DECIDES = 0,     ///< it plans as this robot does, at the same times
+  AVO_BEHAVIOR_MOVES_ON = 1,    ///< it reacts to no robot
+  AVO_BEHAVIOR_COOPERATES = 2,  ///< it does its share, and does not promise to brake
+  AVO_BEHAVIOR_PARKED = 3       ///< it never moves; as a neighbor it is at rest
 };
 
 typedef int32_t avo_model;
@@ -543,8 +544,8 @@ typedef struct avo_robot_def {
   avo_model model;
   uint32_t layers;        ///< bit k: it is in layer k
   uint32_t avoids;        ///< bit k: it avoids robots in layer k
-  bool parked;            ///< never moves; its goal is its position
-  avo_behavior behavior;  ///< what others count on
+  bool unused;            ///< false: the place of a removed member
+  avo_behavior behavior;  ///< what others count on; the goal of a parked one is its position
   int32_t method;         ///< its own avo_method; AVO_UNSET: the simulation's
   /// s, > 0, its own; 0: the simulation's if it has the simulation's method
   double time_horizon;
