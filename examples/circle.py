@@ -12,3 +12,4 @@ while simulation.can_step_by(scene.duration):
 summary = metrics.summary()
 print(f"{summary['arrived']} of {summary['robots']} arrived, {summary['collision_pairs']} collisions, "
       f"state hash {simulation.state_hash():#018x}")
+assert summary["arrived"] == summary["robots"] and summary["collision_pairs"] == 0

@@ -13,9 +13,11 @@ int main() {
   }
   avo::Simulation simulation(scene);
   avo::Metrics metrics(scene);
+  metrics.observe(simulation);
   std::vector<avo::RobotId> selected;
   for (std::size_t k = 0; k < 40; ++k) selected.push_back({k});
 
+  bool all_there = true;
   struct Click {
     avo::Vec2 place;  // m
     double heading;   // rad
@@ -29,7 +31,10 @@ int main() {
     const double begin = simulation.time();
     while (!simulation.all_at_goal() && simulation.can_step_by(begin + 120.0))
       simulation.step(), metrics.observe(simulation);
+    all_there = all_there && simulation.all_at_goal();
     std::printf("a %s after %.1f s\n", to_string(click.formation), simulation.time() - begin);
   }
-  std::printf("%d pairs touched\n", int(metrics.summary().collision_pairs));
+  const avo::RunSummary summary = metrics.summary();
+  std::printf("%d pairs touched\n", int(summary.collision_pairs));
+  return all_there && summary.collision_pairs == 0 ? 0 : 1;
 }

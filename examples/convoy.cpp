@@ -37,7 +37,11 @@ int main() {
       low = std::min(low, place.y), high = std::max(high, place.y);
     widest = std::max(widest, high - low), narrowest = std::min(narrowest, high - low);
   }
+  const avo::RunSummary summary = metrics.summary();
   std::printf("through after %.1f s, %.1f to %.1f m wide, %d pairs touched, %d walls\n",
-              simulation.time(), narrowest, widest, int(metrics.summary().collision_pairs),
-              int(metrics.summary().static_collisions));
+              simulation.time(), narrowest, widest, int(summary.collision_pairs),
+              int(summary.static_collisions));
+  const bool is_safe = summary.collision_pairs == 0 && summary.static_collisions == 0;
+  const bool has_formed = narrowest < 1.8 && widest > 3.0;  // in the door, and where there is room
+  return simulation.all_at_goal() && has_formed && is_safe ? 0 : 1;
 }

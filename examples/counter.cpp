@@ -18,6 +18,7 @@ int main() {
   }
   avo::Simulation simulation(scene);
   avo::Metrics metrics(scene);
+  metrics.observe(simulation);
   avo::Team queue =
       avo::make_team(all, avo::Queue{.line = {{4, 0}, {0, 0}, {0, -10}}, .spacing = 1.0});
   const avo::Vec2 charger{4, 0};  // m
@@ -35,7 +36,10 @@ int main() {
     serve(simulation, queue);
     ++served;
   }
+  const avo::RunSummary summary = metrics.summary();
+  const bool all_there = simulation.all_at_goal();
   std::printf("%d of 8 were charged, %s, %d pairs touched\n", served,
-              simulation.all_at_goal() ? "all are at their goals" : "some are not at their goals",
-              int(metrics.summary().collision_pairs));
+              all_there ? "all are at their goals" : "some are not at their goals",
+              int(summary.collision_pairs));
+  return served == 8 && all_there && summary.collision_pairs == 0 ? 0 : 1;
 }

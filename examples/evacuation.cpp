@@ -29,6 +29,10 @@ int main() {
     simulation.step();
     metrics.observe(simulation);
   }
-  std::printf("%zu of 300 are still inside after %.1f s, %d pairs touched\n", simulation.size(),
-              simulation.time(), int(metrics.summary().collision_pairs));
+  const avo::RunSummary summary = metrics.summary();
+  std::printf("%zu of 300 are still inside after %.1f s, %d pairs touched, %d walls\n",
+              simulation.size(), simulation.time(), int(summary.collision_pairs),
+              int(summary.static_collisions));
+  const bool is_safe = summary.collision_pairs == 0 && summary.static_collisions == 0;
+  return simulation.size() == 0 && is_safe ? 0 : 1;
 }

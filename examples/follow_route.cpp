@@ -65,7 +65,9 @@ int main() {
     person.position = person.position + 0.1 * person.velocity;
     nearest = std::min(nearest, avo::norm(base.self().position - person.position) - 0.7);
   }
+  const double off = avo::norm(base.axle - route.back()), turned = std::abs(base.heading - dock);
   std::printf("docked after %.1f s, %.0f cm off and %.2f rad turned off, person passed at %.2f m\n",
-              time, 100.0 * avo::norm(base.axle - route.back()), std::abs(base.heading - dock),
-              nearest);
+              time, 100.0 * off, turned, nearest);
+  const bool has_docked = decision.status == avo::NavigatorStatus::reached && off < 0.1;
+  return has_docked && turned < options.yaw_goal_tolerance && nearest > 0.0 ? 0 : 1;
 }

@@ -8,3 +8,4 @@ for scene in ("crossing-streams", "doorway", "office"):
             "method": "orca_clamped", "certificate": certificate, "time_horizon": 3}))
         print(f"{scene:18} {certificate:22} {summary['collision_pairs']:4} pairs collide, "
               f"{summary['arrived']} of {summary['robots']} arrive")
+        assert certificate == "none" or summary["collision_pairs"] == 0

@@ -42,12 +42,14 @@ int main() {
   }
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
   const avo::RunSummary summary = metrics.summary();
+  const double way = simulation.robot(player).position.y - kStart.y;  // m
   std::printf("the player went %.0f m, touched %d robots in motion; %d pairs of robots touched\n",
-              simulation.robot(player).position.y - kStart.y,
-              int(summary.one_sided_collisions_in_motion), int(summary.collision_pairs));
+              way, int(summary.one_sided_collisions_in_motion), int(summary.collision_pairs));
   const double end = simulation.time();
   simulation.set_velocity(player, std::nullopt);
   while (!simulation.decided(player) && simulation.can_step_by(end + 10.0)) simulation.step();
   std::printf("it decides again after %.1f s\n", simulation.time() - end);
   std::printf("%.1f ms a frame, metrics included\n", spent.count() / kFrames);
+  const bool is_safe = summary.one_sided_collisions_in_motion == 0 && summary.collision_pairs == 0;
+  return is_safe && way > 40.0 && simulation.decided(player) ? 0 : 1;
 }

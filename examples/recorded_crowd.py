@@ -15,3 +15,4 @@ scene = avo.Scenario({"version": 1, "duration": 60, "moving_obstacles": people, 
 summary = avo.run(scene)
 print(f"{summary['arrived']} arrived after {summary['last_arrival']:.1f} s, "
       f"touched in motion: {summary['mover_collisions_in_motion']}")
+assert summary["arrived"] == 1 and summary["mover_collisions_in_motion"] == 0

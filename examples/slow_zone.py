@@ -3,7 +3,10 @@
 import avo
 
 lanes = [{"position": [-20, 3 * k], "goal": [20, 3 * k]} for k in range(6)]
-simulation = avo.Simulation({"version": 1, "robots": lanes})
+scene = avo.Scenario({"version": 1, "robots": lanes})
+simulation = avo.Simulation(scene)
+metrics = avo.Metrics(scene)
+metrics.observe(simulation)
 slow = set()
 fastest = 0.0  # m/s, in the zone two seconds after entry
 entered = {}
@@ -17,4 +20,7 @@ while not simulation.all_at_goal() and simulation.can_step_by(90):
         if inside and simulation.time > entered[robot] + 2:
             fastest = max(fastest, float(abs(velocity[0])))
     simulation.step()
-print(f"all there after {simulation.time:.1f} s, at most {fastest:.2f} m/s in the zone")
+    metrics.observe(simulation)
+touched = metrics.summary()["collision_pairs"]
+print(f"all there after {simulation.time:.1f} s, at most {fastest:.2f} m/s in the zone, {touched} pairs touched")
+assert simulation.all_at_goal() and fastest <= 0.5 and touched == 0

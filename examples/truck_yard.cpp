@@ -63,4 +63,6 @@ int main() {
   std::printf("a truck of %d discs: %d of 3 arrived after %.1f s, %d pairs touched, %d walls\n",
               footprint.discs, int(summary.arrived - 1), simulation.time(),
               int(summary.collision_pairs), int(summary.static_collisions));
+  const bool is_safe = summary.collision_pairs == 0 && summary.static_collisions == 0;
+  return metrics.all_arrived() && is_safe ? 0 : 1;
 }

@@ -14,11 +14,12 @@ static_assert(AVO_EVENT_CONTACT == static_cast<int>(avo::EventKind::contact));
 static_assert(AVO_EVENT_ARRIVED == static_cast<int>(avo::EventKind::arrived));
 
 avo_event to_c(const avo::Event& event) {
-  const bool is_contact = event.kind == avo::EventKind::contact;
+  const bool is_with_obstacle = event.kind == avo::EventKind::contact && !event.moved_robot;
   return {.kind = static_cast<avo_event_kind>(event.kind),
           .robot = avo_c::to_c(event.robot),
-          .moving_obstacle = {is_contact ? event.moving_obstacle.value + 1 : 0},
-          .at_rest = event.at_rest};
+          .moving_obstacle = {is_with_obstacle ? event.moving_obstacle.value + 1 : 0},
+          .at_rest = event.at_rest,
+          .moved_robot = event.moved_robot ? avo_c::to_c(*event.moved_robot) : avo_robot_id{}};
 }
 
 std::span<const avo::Event> happened_in(avo_simulation_id simulation) {

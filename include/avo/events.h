@@ -3,6 +3,7 @@
 // of a simulation.
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -25,7 +26,9 @@ enum class EventKind : unsigned char {
   /// The robot makes no progress, see EventsOptions::stuck_after. It is told once, until the robot
   /// gets on again or has a new goal.
   stuck,
-  contact,  ///< the discs of the robot and of a moving obstacle overlap, and did not
+  /// The disc of the robot overlaps that of a moving obstacle, or of a robot that the host moves
+  /// and that it avoids (Simulation::set_velocity()), and did not.
+  contact,
 };
 AVO_API const char* to_string(EventKind kind);
 
@@ -33,7 +36,8 @@ AVO_API const char* to_string(EventKind kind);
 struct Event {
   EventKind kind = EventKind::came;
   RobotId robot;
-  MovingObstacleId moving_obstacle = {};  ///< of a contact
+  MovingObstacleId moving_obstacle = {};    ///< of a contact, where there is no moved_robot
+  std::optional<RobotId> moved_robot = {};  ///< of a contact with a robot that the host moves
   bool at_rest = false;       ///< of a contact: the robot has not moved since the last look
   std::string sentence = {};  ///< why a robot is stuck, see Explanation::sentence; else empty
 };
@@ -55,9 +59,9 @@ class AVO_API Events {
   /// Throws Error on a bad stuck_after.
   explicit Events(const Simulation& simulation, const EventsOptions& options = {});
   ~Events();
-  /// The events since the last look, by robot and then by kind; contacts of one robot are by
-  /// moving obstacle. They are valid until the next call. A call allocates nothing where nothing
-  /// happens.
+  /// The events since the last look, by robot and then by kind. Contacts of one robot are by
+  /// moving obstacle, and then by moved robot. They are valid until the next call. A call allocates
+  /// nothing where nothing happens.
   std::span<const Event> observe(const Simulation& simulation);
 
  private:

@@ -80,6 +80,7 @@ constexpr SweepColumn kResults[] = {
      [](const RunOutcome& run) -> Value { return has_collided(run.summary) ? 1.0 : 0.0; }},
     {"collision_pairs", of_summary<&RunSummary::collision_pairs>},
     {"one_sided_collisions", of_summary<&RunSummary::one_sided_collisions>},
+    {"one_sided_collisions_in_motion", of_summary<&RunSummary::one_sided_collisions_in_motion>},
     {"mover_collisions", of_summary<&RunSummary::mover_collisions>},
     {"mover_collisions_in_motion", of_summary<&RunSummary::mover_collisions_in_motion>},
     {"mover_collisions_evadable", of_summary<&RunSummary::mover_collisions_evadable>},

@@ -66,7 +66,7 @@ void Events::State::take_roster(const Simulation& simulation) {
   }
   for (; known != robots.end(); ++known) tell(known->id, EventKind::gone);
   robots = std::move(present);
-  contacts.take(fleet);
+  contacts.take(simulation, fleet);
   roster = simulation.roster();
 }
 
@@ -88,8 +88,13 @@ void Events::State::observe_contacts(const Simulation& simulation,
                                      std::span<const Vec2> positions) {
   const double duration = simulation.time() - time;
   contacts.observe(simulation, positions);
-  for (const MoverContact& contact : contacts.begun())
-    events.push_back(contact_of(robots[contact.row], {contact.obstacle}, duration));
+  for (const MoverContact& contact : contacts.begun()) {
+    Event& event = events.emplace_back(contact_of(robots[contact.row], duration));
+    if (contact.is_with_robot)
+      event.moved_robot = RobotId{contact.mover};
+    else
+      event.moving_obstacle = {contact.mover};
+  }
 }
 
 Events::Events(const Simulation& simulation, const EventsOptions& options)

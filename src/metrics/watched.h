@@ -75,19 +75,20 @@ bool watch_progress(WatchedRobot<Vec>& robot, Vec position, double length, const
   return true;
 }
 
-/// The robot has begun to touch a moving obstacle. duration: s, since the observation before.
+/// The robot has begun to touch a mover. duration: s, since the observation before.
 template <typename Vec>
-Event contact_of(const WatchedRobot<Vec>& robot, MovingObstacleId obstacle, double duration) {
+Event contact_of(const WatchedRobot<Vec>& robot, double duration) {
   return {.kind = EventKind::contact,
           .robot = robot.id,
-          .moving_obstacle = obstacle,
           .at_rest = robot.moved <= kStandsStill * robot.max_speed * duration};
 }
 
 /// Puts events into the order in which they are told.
 inline void sort_events(std::vector<Event>& events) {
   const auto place = [](const Event& event) {
-    return std::tuple(event.robot.value, event.kind, event.moving_obstacle.value);
+    return std::tuple(event.robot.value, event.kind,
+                      event.moved_robot ? event.moved_robot->value + 1 : 0,
+                      event.moving_obstacle.value);
   };
   std::sort(events.begin(), events.end(),
             [&](const Event& a, const Event& b) { return place(a) < place(b); });

@@ -83,8 +83,8 @@ void Events::State::observe_touches(const Simulation& simulation) {
   find_touches(simulation);
   for (const MoverTouch& touch : touches) {
     if (std::binary_search(touched.begin(), touched.end(), touch)) continue;
-    events.push_back(contact_of(robots[static_cast<std::size_t>(touch.robot)],
-                                MovingObstacleId{touch.mover}, duration));
+    events.push_back(contact_of(robots[static_cast<std::size_t>(touch.robot)], duration));
+    events.back().moving_obstacle = {touch.mover};
   }
 }
 

@@ -109,6 +109,30 @@ static void check_wait(void) {
   REQUIRE(avo_destroy_simulation(simulation));
 }
 
+/* A player of the host runs into a robot that stands. */
+static void check_player(void) {
+  const avo_vec2 right = {1.0, 0.0};
+  const avo_robot_id player = {1};
+  avo_robot_def robots[2] = {avo_default_robot_def(), avo_default_robot_def()};
+  avo_simulation_def def = avo_default_simulation_def();
+  avo_simulation_id simulation;
+  avo_event events[4];
+  robots[1].position = robots[1].goal = at(3.0, 0.0);
+  robots[0].max_acceleration = 10.0;
+  robots[1].max_speed = robots[1].preferred_speed = 1e-3;
+  def.robots = robots, def.robot_count = 2;
+  REQUIRE(avo_create_simulation(&def, &simulation));
+  REQUIRE(avo_simulation_watch(simulation, 0.0));
+  REQUIRE(avo_simulation_set_velocity(simulation, player, &right));
+  CHECK(next_events(simulation, events, 4) == 1);
+  CHECK(events[0].kind == AVO_EVENT_LEFT && events[0].robot.value == 1);
+  CHECK(events[0].moved_robot.value == 0);
+  CHECK(next_events(simulation, events, 4) == 1);
+  CHECK(events[0].kind == AVO_EVENT_CONTACT && events[0].robot.value == 2);
+  CHECK(events[0].moved_robot.value == 1 && events[0].moving_obstacle.value == 0);
+  REQUIRE(avo_destroy_simulation(simulation));
+}
+
 int main(void) {
   const avo_robot_id first = {1}, second = {2};
   avo_simulation_id simulation = make_fleet();
@@ -118,6 +142,7 @@ int main(void) {
   size_t count = 0, size = 0;
   char words[8];
   check_wait();
+  check_player();
   check_refusals(simulation);
   REQUIRE(avo_simulation_watch(simulation, 0.0));
   CHECK(events_of(simulation, events, 8) == 0);

@@ -49,6 +49,19 @@ def test_each_kind_has_its_names():
         [("left", 1), ("came", added), ("arrived", added)]
 
 
+def test_a_player_of_the_host_runs_into_a_robot():
+    simulation = avo.Simulation({"version": 1, "robots": [
+        {"position": [0, 0], "goal": [0, 0], "max_acceleration": 10},
+        {"position": [3, 0], "goal": [3, 0], "max_speed": 1e-3, "preferred_speed": 1e-3}]})
+    events = avo.Events(simulation)
+    simulation.set_velocity(0, (1, 0))
+    left, = next_events(simulation, events)
+    assert (left.kind, left.robot, left.moved_robot) == ("left", 0, None)
+    contact, = next_events(simulation, events)
+    assert (contact.kind, contact.robot, contact.moved_robot) == ("contact", 1, 0)
+    assert contact.moving_obstacle is None and "contact 1 with moved robot 0" in repr(contact)
+
+
 def test_events_keep_their_simulation():
     events = avo.Events(avo.Simulation("circle-10"), stuck_after=1)
     gc.collect()

@@ -120,3 +120,16 @@ def test_a_player_and_what_is_near():
         simulation.remove_moving_obstacle(player)
     route = avo.MovingObstacle(position=(0, 0), trajectory=[(0, 9, 9), (5, 9, 20)])
     assert route.position == (9, 9)
+
+
+def test_metrics_go_on_where_the_host_changes_robots():
+    scene = avo.Scenario(LANES)
+    simulation, metrics = avo.Simulation(scene), avo.Metrics(scene)
+    metrics.observe(simulation)
+    simulation.change_robot(0, max_speed=0.5, preferred_speed=0.5, radius=0.3)
+    simulation.step()
+    metrics.observe(simulation)
+    assert metrics.summary()["steps"] == 1
+    other = avo.Scenario({**LANES, "robots": [{**robot, "radius": 0.3} for robot in LANES["robots"]]})
+    with pytest.raises(avo.Error, match="found another robot 0 than in dict, must be of the same scene"):
+        avo.Metrics(other).observe(simulation)

@@ -27,8 +27,8 @@ std::string collisions(const avo::RunSummary& results) {
   if (results.first_collision_time)
     text += fmt::format(", the first at {:.1f} s", *results.first_collision_time);
   if (results.one_sided_collisions > 0)
-    text +=
-        fmt::format("; {} more of which one avoids the other only", results.one_sided_collisions);
+    text += fmt::format("; {} more of which one avoids the other only, {} of them while it moved",
+                        results.one_sided_collisions, results.one_sided_collisions_in_motion);
   text += fmt::format("; {} with moving obstacles", results.mover_collisions);
   if (results.mover_collisions > 0)
     text += fmt::format(", {} of them in motion", results.mover_collisions_in_motion);

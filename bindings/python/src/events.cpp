@@ -58,9 +58,13 @@ void bind_observer(py::module_& module) {
 
 std::string text_of(const Event& event) {
   const std::string what = fmt::format("{} {}", to_string(event.kind), event.robot.value);
-  if (event.kind == EventKind::contact)
-    return fmt::format("<avo.Event {} with moving obstacle {}{}>", what,
-                       event.moving_obstacle.value, event.at_rest ? ", at rest" : "");
+  if (event.kind == EventKind::contact) {
+    const std::uint64_t id =
+        event.moved_robot ? event.moved_robot->value : event.moving_obstacle.value;
+    return fmt::format("<avo.Event {} with {} {}{}>", what,
+                       event.moved_robot ? "moved robot" : "moving obstacle", id,
+                       event.at_rest ? ", at rest" : "");
+  }
   return event.kind == EventKind::stuck ? fmt::format("<avo.Event {}: {}>", what, event.sentence)
                                         : fmt::format("<avo.Event {}>", what);
 }
@@ -74,16 +78,22 @@ void bind_events(py::module_& module) {
           "kind", [](const Event& event) { return std::string(to_string(event.kind)); },
           "gone (removed, or an airplane that left), came (added), left (its goal: it was pushed "
           "away, is steered, or has a new one), arrived, unreachable (its goal, by walls), stuck, "
-          "contact (with a moving obstacle).")
+          "contact (with a moving obstacle, or with a robot that the host moves).")
       .def_property_readonly(
           "robot", [](const Event& event) { return event.robot.value; }, "Its id.")
       .def_property_readonly(
           "moving_obstacle",
           [](const Event& event) -> std::optional<std::uint64_t> {
-            if (event.kind != EventKind::contact) return std::nullopt;
+            if (event.kind != EventKind::contact || event.moved_robot) return std::nullopt;
             return event.moving_obstacle.value;
           },
           "Id of the moving obstacle of a contact; else None.")
+      .def_property_readonly(
+          "moved_robot",
+          [](const Event& event) {
+            return event.moved_robot ? std::optional(event.moved_robot->value) : std::nullopt;
+          },
+          "Of a contact, id of the robot that the host moves; else None.")
       .def_property_readonly(
           "at_rest",
           [](const Event& event) -> std::optional<bool> {

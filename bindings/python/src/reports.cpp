@@ -161,8 +161,8 @@ py::object run(const py::object& scene, int threads, const py::object& record, b
   return from_json(json);
 }
 
-/// Throws Error for a simulation of another scene, as far as names and robots show it. Robots that
-/// were added later belong to no scene. Call it before the host can have changed robots.
+/// Throws Error for a simulation of another scene, as far as names and robots show it before the
+/// host has changed any. Robots that were added later belong to no scene.
 void require_same(const avo::Scenario& scenario, const avo::Simulation& simulation,
                   const std::string& name) {
   if (!name.empty() && name != scenario.name)
@@ -187,7 +187,7 @@ struct SharedMetrics {
   std::mutex mutex;
   avo::Scenario scenario;
   avo::Metrics metrics;
-  bool has_observed = false;
+  bool has_begun = false;
 
   SharedMetrics(const py::object& scene, bool crowd, const Line& line,
                 const std::vector<std::uint64_t>& judged)
@@ -196,9 +196,9 @@ struct SharedMetrics {
   void observe(SharedSimulation& simulation) {
     simulation.alone([&](const avo::Simulation& s) {
       const std::lock_guard lock(mutex);
-      if (!has_observed) require_same(scenario, s, simulation.name());
+      if (!has_begun) require_same(scenario, s, simulation.name());
+      has_begun = true;
       metrics.observe(s);
-      has_observed = true;
     });
   }
   std::string summary() {
@@ -241,8 +241,7 @@ void bind_reports(py::module_& module) {
            arg("judged") = std::vector<std::uint64_t>(),
            "crowd: whether danger, order and density are measured as well, which costs time. line: "
            "two points, m; the flow is that of the robots that cross between them. judged: ids of "
-           "the "
-           "the metrics cover the trips of these robots; none: of all.")
+           "robots; the metrics cover the trips of these; none: of all.")
       .def("observe", &SharedMetrics::observe, arg("simulation"),
            "Once before the first step, and once after every step.")
       .def(

@@ -98,5 +98,27 @@ TEST(ContactEvents, are_the_contacts_of_all_pairs) {
   EXPECT_GT(found, 50);
 }
 
+// Robot 0 is a player: it runs into robots that rest, on its own floor alone, and into no wall.
+TEST(ContactEvents, are_told_of_robots_that_the_host_moves) {
+  Scenario scene;
+  RobotSetup upstairs = robot_at({3, 0.2}, {3, 0.2}), parked = robot_at({9, 0}, {9, 0});
+  upstairs.layers = upstairs.avoids = LayerSet{2}, parked.behavior = Behavior::parked;
+  scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({3, 0}, {3, 0}), upstairs,
+                  robot_at({6, 0}, {6, 0}), parked};
+  scene.robots[0].avoids = LayerSet{1}, scene.robots[1].max_acceleration = 1e-3;
+  scene.robots[3].max_acceleration = 1e-3;
+  scene.moving_obstacles = {mover({6, 0.9}, {}, 0.5)};
+  scene.allow_broken_assumptions = true;
+  Host host(scene);
+  EXPECT_EQ(host.run(10), "");
+  std::string events;
+  for (int k = 0; k < 110; ++k) {
+    host.simulation.set_velocity({0}, Vec2{std::min(0.1 * k, 1.0), 0.0});
+    if (const std::string now = host.step(); !now.empty()) events += now + "; ";
+  }
+  EXPECT_EQ(events, "left 0; contact 1/robot 0 rest; contact 3/robot 0 rest; contact 0/0; ");
+  EXPECT_EQ(host.simulation.robot({2}).position, (Vec2{3, 0.2}));
+}
+
 }  // namespace
 }  // namespace avo

@@ -19,7 +19,9 @@ inline std::string told(std::span<const Event> events) {
     text += (text.empty() ? "" : " ") + std::string(to_string(event.kind)) + " " +
             std::to_string(event.robot.value);
     if (event.kind == EventKind::contact)
-      text += "/" + std::to_string(event.moving_obstacle.value) + (event.at_rest ? " rest" : "");
+      text += (event.moved_robot ? "/robot " + std::to_string(event.moved_robot->value)
+                                 : "/" + std::to_string(event.moving_obstacle.value)) +
+              (event.at_rest ? " rest" : "");
     EXPECT_EQ(event.sentence.empty(), event.kind != EventKind::stuck);
   }
   return text;

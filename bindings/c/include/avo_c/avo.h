@@ -1055,16 +1055,18 @@ enum {
   AVO_EVENT_LEFT = 2,     ///< it was at its goal, and was pushed away, is steered, or has a new one
   AVO_EVENT_ARRIVED = 3,  ///< it is at its goal, and was not; a new goal counts anew
   AVO_EVENT_UNREACHABLE = 4,  ///< walls keep it from its goal, and did not; a new goal counts anew
-  AVO_EVENT_STUCK = 5,   ///< it makes no progress; once, until it gets on again or has a new goal
-  AVO_EVENT_CONTACT = 6  ///< its disc and that of a moving obstacle overlap, and did not
+  AVO_EVENT_STUCK = 5,  ///< it makes no progress; once, until it gets on again or has a new goal
+  /// its disc overlaps that of a moving obstacle, or of a robot that the host moves, and did not
+  AVO_EVENT_CONTACT = 6
 };
 
 /// What happened to one robot.
 typedef struct avo_event {
   avo_event_kind kind;
   avo_robot_id robot;
-  avo_moving_obstacle_id moving_obstacle;  ///< of a contact; else a null id
+  avo_moving_obstacle_id moving_obstacle;  ///< of a contact with one; else a null id
   bool at_rest;                            ///< of a contact: the robot has not moved in the step
+  avo_robot_id moved_robot;  ///< of a contact with a robot that the host moves; else a null id
 } avo_event;
 
 /// Begins to watch the robots, or begins anew. Each step then has the events since the step before,
