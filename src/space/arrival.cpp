@@ -79,7 +79,7 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
 
 template <typename Trace>
 Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, Vec3 axis, Detour& detour, Trace trace) {
+             const PlannerOptions& options, Detour& detour, Trace trace) {
   const Robot& robot = look.robot;
   const avo::Robot same = numbers_of(robot);
   const Traffic traffic = traffic_of(robot, bodies, looked);
@@ -99,7 +99,7 @@ Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
   Vec3 wish = robot.preferred_velocity;
   if (left > 0.0 && ahead > 0.0) {
     const double part = std::min(std::min(left / kFade, 1.0) * (ahead / kFullCongestion), 1.0);
-    wish = turned_right(wish, axis, part * kMostKeepRight);
+    wish = turned_right(wish, axis_across(wish), part * kMostKeepRight);
     trace.keeps_right(look, bodies, looked, wish);
   }
   if (!traffic.is_beside && detour.beside == 0.0F) return wish;
@@ -112,9 +112,7 @@ Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
   return wish;
 }
 
-template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&, Vec3,
-                      Detour&, NoTrace);
-template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&, Vec3,
-                      Detour&, Recorder);
+template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&, Detour&, NoTrace);
+template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&, Detour&, Recorder);
 
 }  // namespace avo::space

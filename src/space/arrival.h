@@ -33,6 +33,6 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle);
 /// for others. Updates the detour.
 template <typename Trace>
 Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, Vec3 axis, Detour& detour, Trace trace);
+             const PlannerOptions& options, Detour& detour, Trace trace);
 
 }  // namespace avo::space

@@ -90,6 +90,10 @@ Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, cons
   const auto choose_near = [&](Vec3 wanted) {
     return choose(robot, wanted, decision.law, scratch.choice, trace);
   };
+  const auto turned_off = [&] {
+    const Vec3 axis = axis_across(robot.preferred_velocity);
+    return decision.own(turned_right(wish, axis, detour.angle));
+  };
   // a robot that stays where others are at rest on its goal stops, whatever pushes it
   const bool stops = detour.goal_taken && robot.preferred_velocity == Vec3{};
   const Vec3 proposal =
@@ -107,14 +111,14 @@ Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, cons
   const bool turns = left > kStuck && detour.angle > 0.0F;
   Choice next = choice;
   if (turns) {
-    const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
+    const Vec3 turned = turned_off();
     const Target off = target_of(decision, all_half_spaces(decision), turned);
     const Vec3 wanted = decision.in_space(executed(decision, off.own, decision.haste.gain));
     trace.asks_off(wanted);
     next = choose_near(wanted);
   }
   if (left < kFree) {
-    const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
+    const Vec3 turned = turned_off();
     const Target off = target_of(decision, scratch.hard, turned);
     const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
     const Vec3 smooth = executed(decision, off.own, 1.0);
@@ -231,7 +235,6 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
                     law,
                     haste_of(numbers_of(robot), execution),
                     horizons.front(),
-                    axis_across(robot.preferred_velocity),
                     to_own(robot.velocity, robot.vertical),
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
                     look,
@@ -239,8 +242,7 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
                     scratch};
   if (!execution.law.is_gentle()) decision.own_last_change = {};
   collect_hard(decision, around.boxes);
-  const Vec3 wish =
-      wish_of(look, around.bodies, scratch.looked, options, decision.axis, detour, trace);
+  const Vec3 wish = wish_of(look, around.bodies, scratch.looked, options, detour, trace);
   const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
   const Target target = target_of_aim(decision, own_aim);
   trace.chooses(decision, own_aim, target);

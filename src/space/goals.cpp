@@ -11,12 +11,22 @@ namespace avo::space {
 
 using Number = scalar::Pack<double>;
 
+namespace {
+
+// Returns whether the goal is farther away than rounding can tell. The first test needs no root.
+bool is_away(double distance, Vec3 place, Vec3 goal) {
+  const auto around = one_norm(scalar::constant<Number>(place)).value +
+                      one_norm(scalar::constant<Number>(goal)).value;
+  return distance > 0x1p-45 * around || distance > 0x1p-46 * (norm(place) + norm(goal));
+}
+
+}  // namespace
+
 Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
                         const Landing& landing) {
   const Vec3 to_goal = goal - robot.position;
   const double distance = norm(to_goal);
-  // nearer than rounding can tell counts as there
-  if (!(distance > 0x1p-46 * (norm(robot.position) + norm(goal)))) return {};
+  if (!is_away(distance, robot.position, goal)) return {};
   const Vec3 direction = to_goal / distance;
   const ResponseLaw& law = landing.law;
   // along the route a robot brakes with b/ν, and is as fast as v_max/ν
@@ -36,6 +46,10 @@ Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
   }
   const Number response = scalar::response_time(Number(robot.max_speed),
                                                 Number(robot.max_acceleration), own_braking, law);
+  const Number decrement(braking * landing.braking_time);
+  const auto known = scalar::surely_admits(Number(left) - Number(top) * response, Number(top),
+                                           decrement, Number(time_step));
+  if (known.bit) return top * direction;
   const Number soft =
       scalar::soft_speed(Number(left), Number(braking * landing.braking_time / time_step), response,
                          Number(time_step));

@@ -20,7 +20,6 @@ struct AVO_LOCAL Deciding {
   StepLaw law;
   Haste haste;
   const Horizon& full_horizon;  ///< of moving obstacles, which do not see that it arrives
-  Vec3 axis;                    ///< about which it turns to its right
   Vec3 own_velocity, own_last_change;
   const Viewer& look;
   const BodiesAround& around;
