@@ -79,6 +79,7 @@ struct NearBody {
 /// Scratch memory and result; allocates only while it grows.
 struct Looked {
   SeenColumns seen;
+  SeenColumns close;  ///< those that may matter for more than a half-space
   SpacePairs pairs;
   std::vector<NearBody> near;         ///< by ascending number
   double ahead = 0.0;                 ///< see Traffic::ahead

@@ -14,26 +14,6 @@
 
 AVO_BEGIN_KERNELS
 
-template <typename Real>
-AVO_KERNEL Real square(Real a) {
-  return a * a;
-}
-
-/// m²: the squared distance of a body with A's priority beyond which A surely needs no constraint
-/// for it. It is the test of are_far() for the largest reach of all bodies.
-template <typename Real>
-AVO_KERNEL Real far_squared(const PackLook<Real>& a, const PackBody<Real>& body,
-                            const space::Bodies& bodies) {
-  const Real rounding(kFarther), one(1.0), infinity(std::numeric_limits<double>::infinity());
-  // The margin of rounding for a length of 1 m. The place of the body is no longer than twice its
-  // distance, which contains its margin.
-  const Real per_length =
-      rounding_margin<Real, 3>(one, a.intervals, min(body.share, one - body.share));
-  const Real reach = body.contact + body.wash + a.reach + Real(bodies.most_error) +
-                     per_length * (a.lengths + body.contact);
-  return select(per_length < Real(0x1p-29), square(square(rounding) * reach), infinity);
-}
-
 /// Returns whether A surely needs no constraint for a body: see collect_constraints(). The test is
 /// that of are_clear(), for the longest braking of all bodies.
 template <typename Real>
@@ -198,30 +178,51 @@ AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bod
   }
 }
 
+/// What a body may matter for.
+template <typename Real>
+struct PackMatters {
+  decltype(Real() < Real()) near, beside, ahead;  // constraints, nearly contact, traffic
+};
+template <typename Real>
+AVO_KERNEL PackMatters<Real> what_matters(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                                          const PackBody<Real>& body, const space::Viewer& look) {
+  const Real zero(0.0), least(look.certified ? 0.0 : std::numeric_limits<double>::infinity());
+  const auto far = body.are_equal & (seen.squared > body.far_squared);
+  return {seen.counted & !far & (seen.squared >= least),
+          seen.counted & (seen.squared < body.beside_squared),
+          seen.counted & (seen.squared < a.traffic_squared) & (dot(seen.p, a.preferred) < zero)};
+}
+
+/// Puts those side by side that may matter for more than a half-space.
 template <typename Real, bool kUniform>
-AVO_KERNEL void examine_all(const space::Viewer& look, const space::Bodies& bodies,
-                            space::Looked& looked) {
-  const PackLook<Real> a(look, bodies);
-  const bool has_preferred = !(look.robot.preferred_velocity == Vec3{});
-  const Real traffic_squared = square(Real(kFarther) * a.traffic_range);
-  Real ahead(0.0);
+AVO_KERNEL void find_close(const PackLook<Real>& a, const space::Viewer& look,
+                           const space::Bodies& bodies, space::Looked& looked) {
+  const SeenPlaces places(looked.close);
+  std::size_t count = 0;
   for_all<Real, kUniform>(
       a, look, bodies, looked.seen,
+      [&](const auto& seen, const auto& body, const auto&) __attribute__((always_inline)) {
+        const PackMatters<Real> matters = what_matters(a, seen, body, look);
+        const auto chosen = matters.near | matters.beside | matters.ahead;
+        if (any(chosen)) count += places.put(chosen, seen.p, seen.v, seen.place, count);
+      });
+  looked.close.count = count;
+}
+
+template <typename Real, bool kUniform>
+AVO_KERNEL void examine_close(const PackLook<Real>& a, const space::Viewer& look,
+                              const space::Bodies& bodies, space::Looked& looked) {
+  Real ahead(0.0);
+  for_all<Real, kUniform>(
+      a, look, bodies, looked.close,
       [&](const auto& seen, const auto& body, const auto& field) __attribute__((always_inline)) {
-        if (look.certified) {
-          const auto far = body.are_equal & (seen.squared > far_squared(a, body, bodies));
-          const auto near = seen.counted & !far;
-          if (any(near))
-            push(seen.place, bits(near & !is_clear(a, seen, body, look)), looked.places);
-        }
-        const Real beside = Real(kFarther) * (Real(1.0 + kRoom) * body.contact + body.wash);
-        const auto is_beside = seen.counted & (seen.squared < square(Real(kFarther) * beside));
-        if (any(is_beside)) push(seen.place, bits(is_beside), looked.beside);
-        const auto may_count = seen.counted & (seen.squared < traffic_squared) &
-                               (dot(seen.p, a.preferred) < Real(0.0));
-        if (has_preferred && any(may_count))
-          ahead =
-              ahead + select(may_count, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
+        const PackMatters<Real> matters = what_matters(a, seen, body, look);
+        if (any(matters.near))
+          push(seen.place, bits(matters.near & !is_clear(a, seen, body, look)), looked.places);
+        if (any(matters.beside)) push(seen.place, bits(matters.beside), looked.beside);
+        if (any(matters.ahead))
+          ahead = ahead + select(matters.ahead,
+                                 traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
       });
   looked.ahead = sum_of(ahead);
 }
@@ -265,7 +266,9 @@ void find_pairs(const space::Viewer& look, const Vec3* velocity, const space::Bo
 template <typename Real, bool kUniform>
 AVO_KERNEL void examine_seen(const space::Viewer& look, const space::Bodies& bodies,
                              space::Looked& looked) {
-  examine_all<Real, kUniform>(look, bodies, looked);
+  const PackLook<Real> a(look, bodies);
+  find_close<Real, kUniform>(a, look, bodies, looked);
+  examine_close<Real, kUniform>(a, look, bodies, looked);
   if (look.is_plain(bodies))
     return examine_near<Real, kUniform>(look, bodies, looked.places, looked.near);
   for (const std::uint32_t place : looked.places)
