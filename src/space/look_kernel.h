@@ -33,6 +33,21 @@ AVO_KERNEL auto is_clear(const PackLook<Real>& a, const PackSeen<Real>& seen,
   return body.are_equal & body.brake_alike & clear;
 }
 
+/// Returns whether the half-space surely contains v_A and all velocities that differ from v_A by no
+/// more than `change`, m/s. With m, the point of the relative course within the horizon that is
+/// nearest to contact, no disc reaches farther along m than that of the end (docs/space.md, "Cost").
+template <typename Real>
+AVO_KERNEL auto is_passed_by(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                             const PackBody<Real>& body, Real change) {
+  const Real zero(0.0), one(1.0), beyond(1e-6);  // m/s, more than half-planes err
+  const Real squared = dot(seen.v, seen.v);
+  const Real time = min(max(-dot(seen.p, seen.v), zero) / select(squared > zero, squared, one),
+                        a.end_time);
+  const Real lengths = one_norm(seen.p) + a.end_time * one_norm(seen.v);
+  const Real miss = norm(seen.p + time * seen.v) - Real(0x1p-40) * lengths;
+  return body.share * (miss - body.contact) > a.gain * (change + beyond);
+}
+
 /// What a half-space surely contains. It is known where the half-space touches the obstacle at the
 /// end of the horizon (docs/half_plane.md, lemma 2).
 template <typename Real>
@@ -53,7 +68,8 @@ AVO_KERNEL PackContained<Real> contained(const PackLook<Real>& a, const PackSeen
   const auto keeps_speed = dot(x, a.velocity) * a.gain + lift * length <
                            -(length * a.gain * (rounding * a.speed + beyond));
   const auto keeps = lift * length < a.gain * (dot(x, change) - beyond * length);
-  return {touches_at_end & (keeps_change | keeps_speed), touches_at_end & keeps};
+  return {touches_at_end & (keeps_change | keeps_speed),
+          (touches_at_end & keeps) | is_passed_by(a, seen, body, norm(change))};
 }
 
 /// What bodies ahead add to the traffic, see Traffic::ahead. It is a multiple of 2^-40, so that the
@@ -204,7 +220,8 @@ AVO_KERNEL void find_close(const PackLook<Real>& a, const space::Viewer& look,
       [&](const auto& seen, const auto& body, const auto&) __attribute__((always_inline)) {
         const PackMatters<Real> matters = what_matters(a, seen, body, look);
         const auto chosen = matters.near | matters.beside | matters.ahead;
-        if (any(chosen)) count += places.put(chosen, seen.p, seen.v, seen.place, count);
+        if (kChoosesSlowly<Real> && !any(chosen)) return;
+        count += places.put(chosen, seen.p, seen.v, seen.place, count);
       });
   looked.close.count = count;
 }

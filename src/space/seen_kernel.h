@@ -33,6 +33,10 @@ void fill_braking(const StepLaw& law, std::size_t first, std::size_t last, space
   }
 }
 
+/// Whether storing chosen lanes costs more than a branch that is often taken and often not.
+template <typename Real>
+constexpr bool kChoosesSlowly = Real::kLanes < 8;
+
 /// Where columns of bodies begin. The compiler cannot know that numbers that are stored change no
 /// vector.
 struct SeenPlaces {
@@ -76,7 +80,7 @@ void find_seen(const space::Viewer& look, const space::Bodies& bodies,
       const Real squared = dot(p, p), place = Real::numbers_from(k);
       const auto sensed = (place < Real(static_cast<double>(run.last))) & (place != self) &
                           (squared <= range_squared);
-      if (!any(sensed)) continue;
+      if (kChoosesSlowly<Real> && !any(sensed)) continue;
       const Vec<Real, 3> v = velocity - load_vector<Real, 3>(velocities, k);
       count += places.put(sensed, p, v, place, count);
     }
