@@ -14,6 +14,9 @@
 
 AVO_BEGIN_KERNELS
 
+// The part of squared lengths that is more than rounding makes of them.
+constexpr double kFarSlack = 0x1p-40;
+
 /// Returns whether A surely needs no constraint for a body: see collect_constraints(). The test is
 /// that of are_clear(), for the longest braking of all bodies.
 template <typename Real>
@@ -33,19 +36,31 @@ AVO_KERNEL auto is_clear(const PackLook<Real>& a, const PackSeen<Real>& seen,
   return body.are_equal & body.brake_alike & clear;
 }
 
+/// Returns whether the relative course surely stays farther away than a distance, where both keep
+/// their velocities for ever. It asks for squares, without roots and divisions.
+template <typename Real>
+AVO_KERNEL auto stays_beyond(const PackSeen<Real>& seen, Real distance_squared) {
+  const Real least = distance_squared + Real(kFarSlack) * seen.squared;
+  const Real approach = -dot(seen.p, seen.v), speed_squared = dot(seen.v, seen.v);
+  return ((approach <= Real(0.0)) & (seen.squared > least)) |
+         (seen.squared * speed_squared - square(approach) > speed_squared * least);
+}
+
 /// Returns whether the half-space surely contains v_A and all velocities that differ from v_A by no
 /// more than `change`, m/s. With m, the point of the relative course within the horizon that is
 /// nearest to contact, no disc reaches farther along m than that of the end (docs/space.md, "Cost").
 template <typename Real>
 AVO_KERNEL auto is_passed_by(const PackLook<Real>& a, const PackSeen<Real>& seen,
                              const PackBody<Real>& body, Real change) {
-  const Real zero(0.0), one(1.0), beyond(1e-6);  // m/s, more than half-planes err
-  const Real squared = dot(seen.v, seen.v);
-  const Real time = min(max(-dot(seen.p, seen.v), zero) / select(squared > zero, squared, one),
-                        a.end_time);
-  const Real lengths = one_norm(seen.p) + a.end_time * one_norm(seen.v);
-  const Real miss = norm(seen.p + time * seen.v) - Real(0x1p-40) * lengths;
-  return body.share * (miss - body.contact) > a.gain * (change + beyond);
+  const Real beyond(1e-6);  // m/s, more than half-planes err
+  const Real least =
+      square(Real(kFarther) * body.contact + body.per_share * a.gain * (change + beyond));
+  const Real speed_squared = dot(seen.v, seen.v);
+  const Vec<Real, 3> end = seen.p + a.end_time * seen.v;
+  const auto approaches = -dot(seen.p, seen.v) >= Real(kFarther) * a.end_time * speed_squared;
+  const Real lengths = seen.squared + square(a.end_time) * speed_squared;
+  return stays_beyond(seen, least) |
+         (approaches & (dot(end, end) > least + Real(kFarSlack) * lengths));
 }
 
 /// What a half-space surely contains. It is known where the half-space touches the obstacle at the
@@ -69,7 +84,7 @@ AVO_KERNEL PackContained<Real> contained(const PackLook<Real>& a, const PackSeen
                            -(length * a.gain * (rounding * a.speed + beyond));
   const auto keeps = lift * length < a.gain * (dot(x, change) - beyond * length);
   return {touches_at_end & (keeps_change | keeps_speed),
-          (touches_at_end & keeps) | is_passed_by(a, seen, body, norm(change))};
+          touches_at_end & keeps};
 }
 
 /// What bodies ahead add to the traffic, see Traffic::ahead. It is a multiple of 2^-40, so that the
@@ -206,7 +221,8 @@ AVO_KERNEL PackMatters<Real> what_matters(const PackLook<Real>& a, const PackSee
   const auto far = body.are_equal & (seen.squared > body.far_squared);
   return {seen.counted & !far & (seen.squared >= least),
           seen.counted & (seen.squared < body.beside_squared),
-          seen.counted & (seen.squared < a.traffic_squared) & (dot(seen.p, a.preferred) < zero)};
+          seen.counted & (seen.squared < a.traffic_squared) & (dot(seen.p, a.preferred) < zero) &
+              !stays_beyond(seen, body.meets_squared)};
 }
 
 /// Puts those side by side that may matter for more than a half-space.
@@ -253,11 +269,16 @@ AVO_KERNEL void find_pairs(const space::Viewer& look, const Vec3* velocity,
   const Real farthest(look.farthest_squared), last_number(look.farthest_number);
   const Vec<Real, 3> change =
       constant<Real>(velocity != nullptr ? *velocity - look.robot.velocity : Vec3{});
+  const Real length = norm(change);
   for_all<Real, kUniform>(
       a, look, bodies, looked.seen,
       [&](const auto& seen, const auto& body, const auto& field) __attribute__((always_inline)) {
         auto chosen = seen.counted & (seen.squared > Real(0.0));
         if (!has_wash) {
+          if (velocity != nullptr) {
+            chosen = chosen & !is_passed_by(a, seen, body, length);
+            if (!any(chosen)) return;
+          }
           const PackContained<Real> inside = contained(a, seen, body, change);
           chosen = chosen & !inside.everything;
           if (velocity != nullptr) chosen = chosen & !inside.velocity;

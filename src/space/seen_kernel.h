@@ -142,7 +142,9 @@ struct PackLook {
 template <typename Real>
 struct PackBody {
   Real contact, wash, share, defers, reach;  // [δ (a_A + a_B)] m/s: reach
+  Real per_share;                            // more than 1/share
   Real far_squared, beside_squared;          // m², see far_squared() and beside_squared()
+  Real meets_squared;                        // m², of a course that is no traffic
   // equal priorities, with which the share is that of the room as well; and equal braking
   decltype(Real() < Real()) are_equal, brake_alike;
 };
@@ -183,9 +185,13 @@ AVO_KERNEL PackBody<Real> body_of(const PackLook<Real>& a, const space::Viewer& 
       Real(look.control_time) * (a.acceleration + acceleration),
       Real(0.0),
       Real(0.0),
+      Real(0.0),
+      Real(0.0),
       equal(a.priority, priority),
       equal(a.braking, field(bodies.max_braking)) & equal(field(bodies.vertical), Real(1.0))};
+  body.per_share = Real(kFarther) / body.share;
   body.far_squared = far_squared(a, body, bodies), body.beside_squared = beside_squared(body);
+  body.meets_squared = square(Real(2.0 * kFarther) * body.contact);
   return body;
 }
 
