@@ -6,6 +6,7 @@
 #include "planner/rules/arrival.h"
 #include "space/bodies.h"
 #include "space/look.h"
+#include "space/pace.h"
 
 namespace avo::space {
 
@@ -18,10 +19,6 @@ struct Traffic {
 /// The traffic of the bodies that a look has found.
 Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looked);
 
-/// m: the range in which others ahead are traffic. Beyond it only those that are nearly in contact
-/// count.
-double traffic_range(const Robot& robot);
-
 /// A unit axis across the course, about which a robot turns to its right. It points up as seen
 /// along the course, and ahead along x where the course is steep.
 Vec3 axis_across(Vec3 heading);
@@ -33,6 +30,7 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle);
 /// for others. Updates the detour.
 template <typename Trace>
 Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, Detour& detour, Trace trace);
+             const PlannerOptions& options, const Pace& pace, Detour& detour,
+             Trace trace);
 
 }  // namespace avo::space

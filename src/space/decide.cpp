@@ -46,12 +46,11 @@ Vec3 reached(const Deciding& decision, Vec3 own_target) {
 }
 
 // The velocity that Eq. (23) is given for a wish, m/s (docs/smoothness.md).
-Vec3 aim_of(Deciding& decision, Vec3 own_wish, const Execution& execution) {
+Vec3 aim_of(Deciding& decision, Vec3 own_wish) {
   if (decision.haste.gain >= 1.0) return own_wish;
-  const avo::Robot same = numbers_of(decision.robot);
   const Vec3 change = own_wish - decision.own_velocity;
-  if (!is_landing(same, decision.haste, execution))
-    return decision.own_velocity + std::min(unhurried_part(same, execution), 1.0) * change;
+  if (!(decision.robot.distance_to_goal < decision.pace.landing))
+    return decision.own_velocity + decision.pace.unhurried * change;
   const Vec3 aim = decision.own_velocity + change / decision.haste.gain;
   // an acceleration against the aim has to end at once
   if (dot(decision.own_last_change, aim - decision.own_velocity) < 0.0)
@@ -188,8 +187,8 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 
 // What one look at the bodies finds.
 Viewer look_around(const PlannerOptions& options, std::span<const Horizon> horizons,
-                   const StepLaw& law, const Robot& robot, const BodiesAround& around,
-                   PlanWorkspace::Scratch& scratch) {
+                   const StepLaw& law, const Robot& robot, const Pace& pace,
+                   const BodiesAround& around, PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
   const bool is_known = around.self >= 0.0;
   const Braking own = is_known ? around.bodies.braking(static_cast<std::size_t>(around.self))
@@ -203,7 +202,7 @@ Viewer look_around(const PlannerOptions& options, std::span<const Horizon> horiz
               .control_time = options.control_time,
               .self = around.self,
               .range = around.range,
-              .traffic_range = traffic_range(robot),
+              .traffic_range = pace.traffic_range,
               .certified = options.certificate != Certificate::none};
   look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
   return look;
@@ -225,25 +224,25 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 
 template <typename Trace>
 Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
-            const Robot& robot, const BodiesAround& around, bool remembers,
+            const Robot& robot, const Pace& pace, const BodiesAround& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour, Trace trace) {
-  const Viewer look = look_around(options, horizons, law, robot, around, scratch);
+  const Viewer look = look_around(options, horizons, law, robot, pace, around, scratch);
   if (!is_sound(detour)) detour = {};
-  const Execution execution{response_law(options), law.braking_time, remembers};
   Deciding decision{robot,
                     options,
                     law,
-                    haste_of(numbers_of(robot), execution),
+                    pace,
+                    haste_at(pace, robot.distance_to_goal, remembers),
                     horizons.front(),
                     to_own(robot.velocity, robot.vertical),
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
                     look,
                     around,
                     scratch};
-  if (!execution.law.is_gentle()) decision.own_last_change = {};
+  if (!response_law(options).is_gentle()) decision.own_last_change = {};
   collect_hard(decision, around.boxes);
-  const Vec3 wish = wish_of(look, around.bodies, scratch.looked, options, detour, trace);
-  const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
+  const Vec3 wish = wish_of(look, around.bodies, scratch.looked, options, pace, detour, trace);
+  const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical));
   const Target target = target_of_aim(decision, own_aim);
   trace.chooses(decision, own_aim, target);
   collect_all_constraints(options, law, robot, around, scratch);
@@ -271,14 +270,15 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
 }
 
 template Plan decide(const PlannerOptions&, std::span<const Horizon>, const StepLaw&, const Robot&,
-                     const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, NoTrace);
+                     const Pace&, const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, NoTrace);
 template Plan decide(const PlannerOptions&, std::span<const Horizon>, const StepLaw&, const Robot&,
-                     const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, Recorder);
+                     const Pace&, const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, Recorder);
 
 Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,
                           const StepLaw& law, const Robot& robot, const BodiesAround& around,
                           PlanWorkspace::Scratch& scratch) {
-  look_around(options, horizons, law, robot, around, scratch);
+  const Landing planner{response_law(options), law.lag, law.braking_time};
+  look_around(options, horizons, law, robot, pace_of(robot, planner), around, scratch);
   collect_all_constraints(options, law, robot, around, scratch);
   return scratch.choice.constraints;
 }
