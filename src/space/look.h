@@ -85,7 +85,8 @@ struct Looked {
   double ahead = 0.0;                 ///< see Traffic::ahead
   std::vector<std::uint32_t> beside;  ///< places of bodies that may be nearly in contact, as well
   // scratch memory
-  std::vector<std::uint32_t> places;
+  std::size_t count = 0;
+  std::vector<double> places;  // so many count
   std::vector<std::pair<double, double>> nearest;  // squared distances and numbers
 };
 

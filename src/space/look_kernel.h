@@ -147,7 +147,7 @@ AVO_KERNEL void push(Real place, std::uint32_t lanes, std::vector<std::uint32_t>
 /// collect_constraints().
 template <typename Real, bool kUniform>
 AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bodies,
-                             std::span<const std::uint32_t> places,
+                             std::span<const double> places,
                              std::vector<space::NearBody>& near) {
   const space::Robot& robot = look.robot;
   const PackRobot<Real, 3> self{constant<Real>(robot.position),
@@ -161,10 +161,8 @@ AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bod
                                 robot.downwash};
   for (std::size_t first = 0; first < places.size(); first += Real::kLanes) {
     const std::size_t count = std::min(Real::kLanes, places.size() - first);
-    alignas(64) double numbers[Real::kLanes];
-    for (std::size_t k = 0; k < Real::kLanes; ++k)
-      numbers[k] = places[first + std::min(k, count - 1)];
-    const Real place = Real::load(numbers);
+    const auto counted = lane_numbers<Real>() < Real(static_cast<double>(count));
+    const Real place = select(counted, Real::load(&places[first]), Real(0.0));
     const auto field = [&](const std::vector<double>& column) {
       return lookup(column.data(), place);
     };
@@ -199,10 +197,9 @@ AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bod
     alignas(64) double inflated[Real::kLanes], share[Real::kLanes];
     clearance.gap.store(gaps), clearance.against.store(against);
     pair.inflated.store(inflated), pair.share.store(share);
-    for (std::uint32_t lanes = bits(!(apart | clear)) & ((1U << count) - 1U); lanes != 0;
-         lanes &= lanes - 1) {
+    for (std::uint32_t lanes = bits(counted & !(apart | clear)); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      const std::uint32_t at = places[first + lane];
+      const auto at = static_cast<std::uint32_t>(places[first + lane]);
       near.push_back(
           {at, bodies.number[at], gaps[lane], against[lane], inflated[lane], share[lane]});
     }
@@ -246,18 +243,22 @@ template <typename Real, bool kUniform>
 AVO_KERNEL void examine_close(const PackLook<Real>& a, const space::Viewer& look,
                               const space::Bodies& bodies, space::Looked& looked) {
   Real ahead(0.0);
+  std::size_t count = 0;
+  double* places = looked.places.data();
   for_all<Real, kUniform>(
       a, look, bodies, looked.close,
       [&](const auto& seen, const auto& body, const auto& field) __attribute__((always_inline)) {
         const PackMatters<Real> matters = what_matters(a, seen, body, look);
-        if (any(matters.near))
-          push(seen.place, bits(matters.near & !is_clear(a, seen, body, look)), looked.places);
+        if (!kChoosesSlowly<Real> || any(matters.near)) {
+          const auto chosen = matters.near & !is_clear(a, seen, body, look);
+          count += store_chosen(chosen, seen.place, places + count);
+        }
         if (any(matters.beside)) push(seen.place, bits(matters.beside), looked.beside);
-        if (any(matters.ahead))
+        if (!kChoosesSlowly<Real> || any(matters.ahead))
           ahead = ahead + select(matters.ahead,
                                  traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
       });
-  looked.ahead = sum_of(ahead);
+  looked.ahead = sum_of(ahead), looked.count = count;
 }
 
 /// See pairs_that_cut() and, with a velocity, pairs_without().
@@ -307,10 +308,13 @@ AVO_KERNEL void examine_seen(const space::Viewer& look, const space::Bodies& bod
   const PackLook<Real> a(look, bodies);
   find_close<Real, kUniform>(a, look, bodies, looked);
   examine_close<Real, kUniform>(a, look, bodies, looked);
+  const auto places = std::span<const double>(looked.places).first(looked.count);
   if (look.is_plain(bodies))
-    return examine_near<Real, kUniform>(look, bodies, looked.places, looked.near);
-  for (const std::uint32_t place : looked.places)
-    looked.near.push_back({place, bodies.number[place]});
+    return examine_near<Real, kUniform>(look, bodies, places, looked.near);
+  for (const double place : places) {
+    const auto at = static_cast<std::uint32_t>(place);
+    looked.near.push_back({at, bodies.number[at]});
+  }
 }
 
 /// Sorts out what the bodies that are seen mean for A.
@@ -318,7 +322,7 @@ template <typename Real>
 void examine_seen(const space::Viewer& look, const space::Bodies& bodies, space::Looked& looked) {
   looked.ahead = 0.0;
   if (looked.seen.count == 0) return;
-  looked.places.clear();
+  looked.count = 0;
   if (bodies.is_uniform)
     examine_seen<Real, true>(look, bodies, looked);
   else
