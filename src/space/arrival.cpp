@@ -75,15 +75,14 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
 
 template <typename Trace>
 Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, const Pace& pace, Detour& detour,
-             Trace trace) {
+             const PlannerOptions& options, const Tempo& tempo, Detour& detour, Trace trace) {
   const Robot& robot = look.robot;
   const avo::Robot same = numbers_of(robot);
   const Traffic traffic = traffic_of(robot, bodies, looked);
   avo::Detour plane{
       .beside = detour.beside, .congestion = detour.congestion, .has_arrived = detour.has_arrived};
   const double ahead =
-      unusual_congestion(traffic.ahead, pace.time_to_speed, options.time_step, plane);
+      unusual_congestion(traffic.ahead, tempo.time_to_speed, options.time_step, plane);
   detour.congestion = plane.congestion;
   if (detour.goal_taken) {
     detour.beside = 0.0F, detour.has_arrived = false;
@@ -110,8 +109,8 @@ Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
 }
 
 template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&,
-                      const Pace&, Detour&, NoTrace);
+                      const Tempo&, Detour&, NoTrace);
 template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&,
-                      const Pace&, Detour&, Recorder);
+                      const Tempo&, Detour&, Recorder);
 
 }  // namespace avo::space

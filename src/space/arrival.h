@@ -6,7 +6,7 @@
 #include "planner/rules/arrival.h"
 #include "space/bodies.h"
 #include "space/look.h"
-#include "space/pace.h"
+#include "space/tempo.h"
 
 namespace avo::space {
 
@@ -30,7 +30,6 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle);
 /// for others. Updates the detour.
 template <typename Trace>
 Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, const Pace& pace, Detour& detour,
-             Trace trace);
+             const PlannerOptions& options, const Tempo& tempo, Detour& detour, Trace trace);
 
 }  // namespace avo::space

@@ -49,8 +49,8 @@ Vec3 reached(const Deciding& decision, Vec3 own_target) {
 Vec3 aim_of(Deciding& decision, Vec3 own_wish) {
   if (decision.haste.gain >= 1.0) return own_wish;
   const Vec3 change = own_wish - decision.own_velocity;
-  if (!(decision.robot.distance_to_goal < decision.pace.landing))
-    return decision.own_velocity + decision.pace.unhurried * change;
+  if (!(decision.robot.distance_to_goal < decision.tempo.landing))
+    return decision.own_velocity + decision.tempo.unhurried * change;
   const Vec3 aim = decision.own_velocity + change / decision.haste.gain;
   // an acceleration against the aim has to end at once
   if (dot(decision.own_last_change, aim - decision.own_velocity) < 0.0)
@@ -187,7 +187,7 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 
 // What one look at the bodies finds.
 Viewer look_around(const PlannerOptions& options, std::span<const Horizon> horizons,
-                   const StepLaw& law, const Robot& robot, const Pace& pace,
+                   const StepLaw& law, const Robot& robot, const Tempo& tempo,
                    const BodiesAround& around, PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
   const bool is_known = around.self >= 0.0;
@@ -202,7 +202,7 @@ Viewer look_around(const PlannerOptions& options, std::span<const Horizon> horiz
               .control_time = options.control_time,
               .self = around.self,
               .range = around.range,
-              .traffic_range = pace.traffic_range,
+              .traffic_range = tempo.traffic_range,
               .certified = options.certificate != Certificate::none};
   look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
   return look;
@@ -224,15 +224,15 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 
 template <typename Trace>
 Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
-            const Robot& robot, const Pace& pace, const BodiesAround& around, bool remembers,
+            const Robot& robot, const Tempo& tempo, const BodiesAround& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour, Trace trace) {
-  const Viewer look = look_around(options, horizons, law, robot, pace, around, scratch);
+  const Viewer look = look_around(options, horizons, law, robot, tempo, around, scratch);
   if (!is_sound(detour)) detour = {};
   Deciding decision{robot,
                     options,
                     law,
-                    pace,
-                    haste_at(pace, robot.distance_to_goal, remembers),
+                    tempo,
+                    haste_at(tempo, robot.distance_to_goal, remembers),
                     horizons.front(),
                     to_own(robot.velocity, robot.vertical),
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
@@ -241,7 +241,7 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
                     scratch};
   if (!response_law(options).is_gentle()) decision.own_last_change = {};
   collect_hard(decision, around.boxes);
-  const Vec3 wish = wish_of(look, around.bodies, scratch.looked, options, pace, detour, trace);
+  const Vec3 wish = wish_of(look, around.bodies, scratch.looked, options, tempo, detour, trace);
   const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical));
   const Target target = target_of_aim(decision, own_aim);
   trace.chooses(decision, own_aim, target);
@@ -270,15 +270,17 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
 }
 
 template Plan decide(const PlannerOptions&, std::span<const Horizon>, const StepLaw&, const Robot&,
-                     const Pace&, const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, NoTrace);
+                     const Tempo&, const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&,
+                     NoTrace);
 template Plan decide(const PlannerOptions&, std::span<const Horizon>, const StepLaw&, const Robot&,
-                     const Pace&, const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, Recorder);
+                     const Tempo&, const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&,
+                     Recorder);
 
 Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,
                           const StepLaw& law, const Robot& robot, const BodiesAround& around,
                           PlanWorkspace::Scratch& scratch) {
   const Landing planner{response_law(options), law.lag, law.braking_time};
-  look_around(options, horizons, law, robot, pace_of(robot, planner), around, scratch);
+  look_around(options, horizons, law, robot, tempo_of(robot, planner), around, scratch);
   collect_all_constraints(options, law, robot, around, scratch);
   return scratch.choice.constraints;
 }

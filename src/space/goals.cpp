@@ -23,7 +23,7 @@ bool is_away(double distance, Vec3 place, Vec3 goal) {
 }  // namespace
 
 Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
-                        const Landing& landing, const Pace& pace) {
+                        const Landing& landing, const Tempo& tempo) {
   const Vec3 to_goal = goal - robot.position;
   const double distance = norm(to_goal);
   if (!is_away(distance, robot.position, goal)) return {};
@@ -35,14 +35,14 @@ Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
   if (direction.z > 0.0) top = std::min(top, robot.climb / direction.z);
   if (direction.z < 0.0) top = std::min(top, -robot.sink / direction.z);
   const double left = distance - landing.lag * dot(robot.velocity, direction);
-  const double braking = pace.used_braking * per_own;
+  const double braking = tempo.used_braking * per_own;
   const double time_step = law.time_step;
   if (!law.is_gentle()) {
     const Number hard = scalar::admissible_speed(
         Number(left), Number(braking * landing.braking_time), Number(time_step));
     return std::min(hard.value, top) * direction;
   }
-  const Number response(pace.response_time), decrement(braking * landing.braking_time);
+  const Number response(tempo.response_time), decrement(braking * landing.braking_time);
   const auto known = scalar::surely_admits(Number(left) - Number(top) * response, Number(top),
                                            decrement, Number(time_step));
   if (known.bit) return top * direction;

@@ -86,7 +86,7 @@ struct Looked {
   std::vector<std::uint32_t> beside;  ///< places of bodies that may be nearly in contact, as well
   // scratch memory
   std::size_t count = 0;
-  std::vector<double> places;  // so many count
+  std::vector<double> places;                      // so many count
   std::vector<std::pair<double, double>> nearest;  // squared distances and numbers
 };
 

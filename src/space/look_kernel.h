@@ -10,12 +10,9 @@
 #include <vector>
 
 #include "certificate/clearance_kernel.h"
-#include "space/seen_kernel.h"
+#include "space/passing_kernel.h"
 
 AVO_BEGIN_KERNELS
-
-// The part of squared lengths that is more than rounding makes of them.
-constexpr double kFarSlack = 0x1p-40;
 
 /// Returns whether A surely needs no constraint for a body: see collect_constraints(). The test is
 /// that of are_clear(), for the longest braking of all bodies.
@@ -34,57 +31,6 @@ AVO_KERNEL auto is_clear(const PackLook<Real>& a, const PackSeen<Real>& seen,
   const Real gap = body.share * (left - (inflated + body.wash) - Real(0x1p-27) * distance);
   const auto clear = (left > zero) & ((gap - a.most_aside) * left > against * a.most_ahead);
   return body.are_equal & body.brake_alike & clear;
-}
-
-/// Returns whether the relative course surely stays farther away than a distance, where both keep
-/// their velocities for ever. It asks for squares, without roots and divisions.
-template <typename Real>
-AVO_KERNEL auto stays_beyond(const PackSeen<Real>& seen, Real distance_squared) {
-  const Real least = distance_squared + Real(kFarSlack) * seen.squared;
-  const Real approach = -dot(seen.p, seen.v), speed_squared = dot(seen.v, seen.v);
-  return ((approach <= Real(0.0)) & (seen.squared > least)) |
-         (seen.squared * speed_squared - square(approach) > speed_squared * least);
-}
-
-/// Returns whether the half-space surely contains v_A and all velocities that differ from v_A by no
-/// more than `change`, m/s. With m, the point of the relative course within the horizon that is
-/// nearest to contact, no disc reaches farther along m than that of the end (docs/space.md, "Cost").
-template <typename Real>
-AVO_KERNEL auto is_passed_by(const PackLook<Real>& a, const PackSeen<Real>& seen,
-                             const PackBody<Real>& body, Real change) {
-  const Real beyond(1e-6);  // m/s, more than half-planes err
-  const Real least =
-      square(Real(kFarther) * body.contact + body.per_share * a.gain * (change + beyond));
-  const Real speed_squared = dot(seen.v, seen.v);
-  const Vec<Real, 3> end = seen.p + a.end_time * seen.v;
-  const auto approaches = -dot(seen.p, seen.v) >= Real(kFarther) * a.end_time * speed_squared;
-  const Real lengths = seen.squared + square(a.end_time) * speed_squared;
-  return stays_beyond(seen, least) |
-         (approaches & (dot(end, end) > least + Real(kFarSlack) * lengths));
-}
-
-/// What a half-space surely contains. It is known where the half-space touches the obstacle at the
-/// end of the horizon (docs/half_plane.md, lemma 2).
-template <typename Real>
-struct PackContained {
-  decltype(Real() < Real()) everything;  // that A can choose
-  decltype(Real() < Real()) velocity;    // v_A + change
-};
-template <typename Real>
-AVO_KERNEL PackContained<Real> contained(const PackLook<Real>& a, const PackSeen<Real>& seen,
-                                         const PackBody<Real>& body, const Vec<Real, 3>& change) {
-  const Real rounding(kFarther), beyond(1e-9);  // m/s, more than what programs tolerate
-  const Vec<Real, 3> x = seen.p + a.end_time * seen.v, y = seen.p + a.end_lag * seen.v;
-  const Real length = norm(x), least = rounding * body.contact * length;
-  const auto touches_at_end = (seen.squared > square(rounding * body.contact)) &
-                              (dot(seen.p, x) > least) & (dot(x, y) > least);
-  const Real lift = body.share * (body.contact - length);  // [α h g] m
-  const auto keeps_change = lift < -(a.gain * (rounding * a.change + beyond));
-  const auto keeps_speed = dot(x, a.velocity) * a.gain + lift * length <
-                           -(length * a.gain * (rounding * a.speed + beyond));
-  const auto keeps = lift * length < a.gain * (dot(x, change) - beyond * length);
-  return {touches_at_end & (keeps_change | keeps_speed),
-          touches_at_end & keeps};
 }
 
 /// What bodies ahead add to the traffic, see Traffic::ahead. It is a multiple of 2^-40, so that the
@@ -147,8 +93,7 @@ AVO_KERNEL void push(Real place, std::uint32_t lanes, std::vector<std::uint32_t>
 /// collect_constraints().
 template <typename Real, bool kUniform>
 AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bodies,
-                             std::span<const double> places,
-                             std::vector<space::NearBody>& near) {
+                             std::span<const double> places, std::vector<space::NearBody>& near) {
   const space::Robot& robot = look.robot;
   const PackRobot<Real, 3> self{constant<Real>(robot.position),
                                 constant<Real>(robot.velocity),
@@ -255,8 +200,8 @@ AVO_KERNEL void examine_close(const PackLook<Real>& a, const space::Viewer& look
         }
         if (any(matters.beside)) push(seen.place, bits(matters.beside), looked.beside);
         if (!kChoosesSlowly<Real> || any(matters.ahead))
-          ahead = ahead + select(matters.ahead,
-                                 traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
+          ahead = ahead +
+                  select(matters.ahead, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
       });
   looked.ahead = sum_of(ahead), looked.count = count;
 }
@@ -309,8 +254,7 @@ AVO_KERNEL void examine_seen(const space::Viewer& look, const space::Bodies& bod
   find_close<Real, kUniform>(a, look, bodies, looked);
   examine_close<Real, kUniform>(a, look, bodies, looked);
   const auto places = std::span<const double>(looked.places).first(looked.count);
-  if (look.is_plain(bodies))
-    return examine_near<Real, kUniform>(look, bodies, places, looked.near);
+  if (look.is_plain(bodies)) return examine_near<Real, kUniform>(look, bodies, places, looked.near);
   for (const double place : places) {
     const auto at = static_cast<std::uint32_t>(place);
     looked.near.push_back({at, bodies.number[at]});

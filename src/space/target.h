@@ -18,7 +18,7 @@ struct AVO_LOCAL Deciding {
   const Robot& robot;
   const PlannerOptions& options;
   StepLaw law;
-  const Pace& pace;
+  const Tempo& tempo;
   Haste haste;
   const Horizon& full_horizon;  ///< of moving obstacles, which do not see that it arrives
   Vec3 own_velocity, own_last_change;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "space/pace.h"
+#include "space/tempo.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,28 +23,28 @@ double landing_distance(const avo::Robot& robot, const Haste& haste, const Execu
 
 }  // namespace
 
-Pace pace_of(const Robot& robot, const Landing& planner) {
+Tempo tempo_of(const Robot& robot, const Landing& planner) {
   const Execution execution{planner.law, planner.braking_time, true};
   avo::Robot far = numbers_of(robot);
   far.distance_to_goal = std::numeric_limits<double>::infinity();
   const Number speed(robot.max_speed), acceleration(robot.max_acceleration);
   const double usual = scalar::usual_response_time(speed, acceleration, planner.law).value;
   const Number braking = scalar::used_of(Number(planned_braking(robot)), speed, planner.law);
-  Pace pace;
-  pace.haste = haste_of(far, execution);
-  pace.there = std::max(robot.radius, robot.max_speed * usual);
-  pace.landing = landing_distance(far, pace.haste, execution);
-  pace.unhurried = std::min(unhurried_part(far, execution), 1.0);
-  pace.traffic_range = arrival_range(far, 0.0);
-  pace.time_to_speed = time_to_speed(far);
-  pace.used_braking = braking.value;
-  pace.response_time = scalar::response_time(speed, acceleration, braking, planner.law).value;
-  return pace;
+  Tempo tempo;
+  tempo.haste = haste_of(far, execution);
+  tempo.there = std::max(robot.radius, robot.max_speed * usual);
+  tempo.landing = landing_distance(far, tempo.haste, execution);
+  tempo.unhurried = std::min(unhurried_part(far, execution), 1.0);
+  tempo.traffic_range = arrival_range(far, 0.0);
+  tempo.time_to_speed = time_to_speed(far);
+  tempo.used_braking = braking.value;
+  tempo.response_time = scalar::response_time(speed, acceleration, braking, planner.law).value;
+  return tempo;
 }
 
-Haste haste_at(const Pace& pace, double distance_to_goal, bool remembers) {
-  Haste haste = pace.haste;
-  if (!remembers || distance_to_goal < pace.there) haste.jerk = kUnlimited;
+Haste haste_at(const Tempo& tempo, double distance_to_goal, bool remembers) {
+  Haste haste = tempo.haste;
+  if (!remembers || distance_to_goal < tempo.there) haste.jerk = kUnlimited;
   return haste;
 }
 
