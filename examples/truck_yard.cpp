@@ -42,7 +42,7 @@ avo::Scenario yard() {
   scene.robots = {truck({-26, 0}, 0.0, {20, 0}), forklift({0, -10}, 1.5708, {0, 12}),
                   forklift({0, 10}, -1.5708, {0, -12})};
   avo::RobotSetup parked = truck({16, -6}, 1.5708, {16, -6});
-  parked.parked = true;
+  parked.behavior = avo::Behavior::parked;
   scene.robots.push_back(parked);
   return scene;
 }

@@ -25,7 +25,7 @@ int main() {
   int stuck = 0, unreachable = 0, arrived = 0;
   const auto park = [&](bool is_parked) {
     avo::RobotSetup setup = simulation.setup(blocking);
-    setup.parked = is_parked;
+    setup.behavior = is_parked ? avo::Behavior::parked : avo::Behavior::decides;
     simulation.change_robot(blocking, setup);
   };
   bool is_parked = false;

@@ -34,7 +34,7 @@ void MomentPainter::State::draw_paths(std::span<const TrajectoryFrame> frames,
   const double closest = 0.5 / canvas->scale();
   std::vector<Vec2> path;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-    if (scenario.robots[i].parked || !there[i]) continue;
+    if (is_parked(scenario.robots[i]) || !there[i]) continue;
     path.clear();
     for (const TrajectoryFrame& frame : frames)
       if (path.empty() || norm(frame.position[i] - path.back()) >= closest)

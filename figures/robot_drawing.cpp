@@ -60,7 +60,7 @@ void draw_discs(Canvas& canvas, const Footprint& footprint, const Pose& pose, Co
 
 void draw_robot(Canvas& canvas, const RobotSetup& setup, const Pose& pose, Color color,
                 double age) {
-  if (setup.parked) color = kParked;
+  if (is_parked(setup)) color = kParked;
   const Color body = mix(mix(kWhite, color, 0.13), color, age * age);
   const double radius = disc_radius(setup);
   const Stroke edge{mix(mix(kWhite, color, 0.45), mix(color, kBlack, 0.45), age * age),
@@ -94,7 +94,7 @@ void draw_mover(Canvas& canvas, const Disc& disc, double age) {
 }
 
 void draw_goal(Canvas& canvas, const RobotSetup& setup, Color color) {
-  if (setup.parked) return;
+  if (is_parked(setup)) return;
   const double half = std::clamp(0.3 * setup.radius * canvas.scale(), 0.8, 3.0);
   canvas.add_cross(setup.goal, half);
   canvas.stroke({mix(color, kBlack, 0.55), std::clamp(0.3 * half, 0.35, 0.8)});

@@ -35,7 +35,7 @@ void draw_paths(Canvas& canvas, const TimeLapse& lapse) {
   // one point per half point of the page is enough for a line
   const double closest = 0.5 / canvas.scale();
   for (std::size_t i = 0; i < lapse.scenario.robots.size(); ++i) {
-    if (lapse.scenario.robots[i].parked) continue;
+    if (is_parked(lapse.scenario.robots[i])) continue;
     std::vector<Vec2> path{lapse.frames[first].position[i]};
     for (std::size_t k = first + 1; k <= last; ++k) {
       const Vec2 at = lapse.frames[k].position[i];

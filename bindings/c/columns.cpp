@@ -61,6 +61,18 @@ avo_result get(avo_simulation_id id, avo_robot_id robot, Value* value, const Of&
   });
 }
 
+// velocity = of(simulation, robot), if there is one.
+template <typename Of>
+avo_result get_velocity(avo_simulation_id id, avo_robot_id robot, avo_vec2* velocity, bool* is_set,
+                        const Of& of) {
+  return get_by_id(id, robot, is_set, [&](const avo::Simulation& own, avo::RobotId present) {
+    avo_vec2& result = at(velocity, "velocity");
+    const std::optional<avo::Vec2> given = of(own, present);
+    if (given) result = to_c(*given);
+    return given.has_value();
+  });
+}
+
 }  // namespace
 }  // namespace avo_c
 
@@ -92,7 +104,7 @@ avo_result avo_simulation_moving_obstacles(avo_simulation_id simulation,
     const avo::MovingObstacleView obstacles =
         simulations.at(simulation).simulation.moving_obstacles();
     at(columns, "columns") = {obstacles.position.size(), lent<avo_vec2>(obstacles.position),
-                              lent<avo_vec2>(obstacles.velocity)};
+                              lent<avo_vec2>(obstacles.velocity), obstacles.next_point.data()};
   });
 }
 
@@ -143,6 +155,20 @@ avo_result avo_simulation_get_next_decision(avo_simulation_id simulation, avo_ro
   return get_by_id(simulation, robot, time, [](const avo::Simulation& own, avo::RobotId id) {
     return own.next_decision(id);
   });
+}
+
+avo_result avo_simulation_get_preferred_velocity(avo_simulation_id simulation, avo_robot_id robot,
+                                                 avo_vec2* velocity, bool* is_set) {
+  return get_velocity(
+      simulation, robot, velocity, is_set,
+      [](const avo::Simulation& own, avo::RobotId id) { return own.preferred_velocity(id); });
+}
+
+avo_result avo_simulation_get_host_velocity(avo_simulation_id simulation, avo_robot_id robot,
+                                            avo_vec2* velocity, bool* is_set) {
+  return get_velocity(
+      simulation, robot, velocity, is_set,
+      [](const avo::Simulation& own, avo::RobotId id) { return own.host_velocity(id); });
 }
 
 avo_result avo_simulation_is_moved(avo_simulation_id simulation, avo_robot_id robot,
@@ -211,6 +237,10 @@ avo_result avo_simulation_get_robot_count(avo_simulation_id simulation, size_t* 
   return get(simulation, count, [](const avo::Simulation& own) { return own.size(); });
 }
 
+avo_result avo_simulation_get_roster(avo_simulation_id simulation, uint64_t* roster) {
+  return get(simulation, roster, [](const avo::Simulation& own) { return own.roster(); });
+}
+
 avo_result avo_simulation_get_threads(avo_simulation_id simulation, int32_t* threads) {
   return get(simulation, threads, [](const avo::Simulation& own) { return own.threads(); });
 }
@@ -277,18 +307,4 @@ avo_result avo_simulation_is_in_sight(avo_simulation_id simulation, avo_vec2 fro
   return get(simulation, is_in_sight, [&](const avo::Simulation& own) {
     return own.is_in_sight(from_c(from), from_c(to), radius, {layers});
   });
-}
-
-avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simulation,
-                                              avo_moving_obstacle_id* buffer, size_t capacity,
-                                              size_t* count) {
-  return guarded([&] {
-    list(simulations.at(simulation).simulation.moving_obstacles().id, buffer, capacity, count);
-  });
-}
-
-avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
-                                    size_t capacity, size_t* count) {
-  return guarded(
-      [&] { list(simulations.at(simulation).simulation.obstacles().id, buffer, capacity, count); });
 }

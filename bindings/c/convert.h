@@ -79,6 +79,8 @@ avo::MovingObstacle obstacle_of(const avo_moving_obstacle_def& def, const Where&
 /// A definition that points to lists of the obstacle.
 avo_moving_obstacle_def def_of(const avo::MovingObstacle& obstacle);
 avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where);
+/// A definition that points to the obstacle and to its `chains`, which are filled if empty.
+avo_obstacle_def def_of(const avo::StaticObstacle& obstacle, std::vector<avo_chain>& chains);
 
 avo::Team team_of(const avo_team_def& def, const Where& where);
 /// A definition that points to the team and to `robots`, which it fills.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values with the same bytes in C and C++, so that columns are lent without a copy.
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <type_traits>
 
@@ -67,6 +68,10 @@ AVO_SAME_PLACE(avo_base_command, avo::BaseCommand, has_left);
 
 #undef AVO_SAME_PLACE
 
+inline avo::ExecutionModel execution_of(const avo_execution_model& model) {
+  return std::bit_cast<avo::ExecutionModel>(model);
+}
+
 // the numbers of words
 template <typename Cpp>
 constexpr bool is(int c, Cpp cpp) {
@@ -90,6 +95,7 @@ static_assert(is(AVO_FILL_SOLID, avo::Fill::solid));
 static_assert(is(AVO_FILL_BOUNDS, avo::Fill::bounds));
 static_assert(is(AVO_BEHAVIOR_MOVES_ON, avo::Behavior::moves_on));
 static_assert(is(AVO_BEHAVIOR_COOPERATES, avo::Behavior::cooperates));
+static_assert(is(AVO_BEHAVIOR_PARKED, avo::Behavior::parked));
 static_assert(is(AVO_ACCELERATION_SET_EXACT, avo::AccelerationSet::exact));
 static_assert(is(AVO_AFTER_GOAL_LEAVE, avo::AfterGoal::leave));
 static_assert(is(AVO_PLAN_LEAST_UNSAFE, avo::PlanStatus::least_unsafe));

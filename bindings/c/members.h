@@ -20,7 +20,7 @@ inline constexpr std::int32_t kWords<avo::Method> = 9;
 template <>
 inline constexpr std::int32_t kWords<avo::Certificate> = 3;
 template <>
-inline constexpr std::int32_t kWords<avo::Behavior> = 3;
+inline constexpr std::int32_t kWords<avo::Behavior> = 4;
 
 /// A member of a definition by its name, for messages.
 struct Named {

@@ -33,10 +33,6 @@ avo::PlannerOptions planner_options_of(const avo_planner_def* planner) {
   return options_of(read(planner, {"planner"}, avo_default_planner_def(AVO_METHOD_AVO)));
 }
 
-avo::ExecutionModel execution_of(const avo_execution_model& model) {
-  return std::bit_cast<avo::ExecutionModel>(model);
-}
-
 avo::NavigatorOptions navigator_options_of(const avo_planner_def* planner,
                                            const avo_navigator_def* given) {
   const avo_navigator_def def = read(given, {"def"}, avo_default_navigator_def());
@@ -67,7 +63,10 @@ avo_navigator_decision decision_of(const avo::NavigatorDecision& decision) {
   result.stopping_distance = decision.stopping_distance;
   result.without_progress = decision.without_progress;
   result.waits_for = decision.wait ? decision.wait->neighbor : -1;
-  if (decision.wait) result.passage = to_c(decision.wait->passage);
+  if (decision.wait) {
+    result.passage = to_c(decision.wait->passage), result.inside = decision.wait->inside;
+    result.a = to_c(decision.wait->a), result.b = to_c(decision.wait->b);
+  }
   result.status = static_cast<avo_navigator_status>(decision.status);
   result.guide = static_cast<avo_guide>(decision.guide);
   result.has_command = decision.command.has_value();
@@ -190,21 +189,10 @@ avo_result avo_navigator_route(avo_navigator_id navigator, avo_vec2* buffer, siz
   });
 }
 
-avo_result avo_find_execution_error(const avo_execution_model* model, const avo_robot* robot,
-                                    double time_step, avo_execution_error* error) {
+avo_result avo_navigator_get_detour(avo_navigator_id navigator, avo_detour* detour) {
   return guarded([&] {
-    const avo::ExecutionError found =
-        avo::execution_error(execution_of(at(model, "model")), read_robot(robot), time_step);
-    at(error, "error") = {found.position, found.velocity, found.command};
-  });
-}
-
-avo_result avo_drive_command(const avo_execution_model* model, const avo_robot* body,
-                             avo_vec2 velocity, avo_wheel_command* command) {
-  return guarded([&] {
-    const avo::DriveCommand found =
-        avo::drive_command(execution_of(at(model, "model")), read_robot(body), from_c(velocity));
-    at(command, "command") = {found.speed, found.turning_rate};
+    const avo::Navigator& own = navigators.at(navigator);
+    at(detour, "detour") = std::bit_cast<avo_detour>(own.detour());
   });
 }
 

@@ -7,14 +7,12 @@
 #include <vector>
 
 #include "convert.h"
-#include "handles.h"
 #include "layouts.h"
 #include "members.h"
+#include "planners.h"
 
 namespace avo_c {
 namespace {
-
-AVO_C_CONSTINIT Handles<avo_planner_id, avo::Planner> planners("planner");
 
 // The memory of one thread; it grows, and then nothing is allocated.
 struct Scratch {

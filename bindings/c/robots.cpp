@@ -26,7 +26,6 @@ constexpr auto for_each_member = [](const auto& visit) {
   visit("preferred_speed", &Def::preferred_speed, &Setup::preferred_speed);
   visit("priority", &Def::priority, &Setup::priority);
   visit("max_braking", &Def::max_braking, &Setup::max_braking);
-  visit("parked", &Def::parked, &Setup::parked);
   visit("layers", &Def::layers, &Setup::layers);
   visit("avoids", &Def::avoids, &Setup::avoids);
   visit("behavior", &Def::behavior, &Setup::behavior);
@@ -41,6 +40,9 @@ constexpr auto for_each_member = [](const auto& visit) {
 }  // namespace
 
 avo::RobotSetup setup_of(const avo_robot_def& def, const Where& where) {
+  if (def.unused)
+    fail(AVO_ERROR_INVALID_VALUE,
+         where / "parked" + ": found true, must be false: behavior is AVO_BEHAVIOR_PARKED");
   avo::RobotSetup setup{.model = model_of(def, where)};
   take_members(def, setup, where, for_each_member);
   return setup;

@@ -46,6 +46,7 @@ avo_result avo_simulation_restore(avo_simulation_id simulation, const void* save
     Simulation& own = simulations.at(simulation);
     own.simulation.restore(bytes_of(saved, size));
     own.has_ids.store(false, std::memory_order_relaxed);
+    own.chains.clear();
     try {
       restart_metrics(own);
     } catch (...) {

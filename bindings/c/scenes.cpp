@@ -26,27 +26,12 @@ struct Scene {
   avo_simulation_def def;
 };
 
-const avo_vec2* lent(const std::vector<avo::Vec2>& points) {
-  return reinterpret_cast<const avo_vec2*>(points.data());
-}
-
-std::vector<avo_chain> chains_of(const avo::StaticObstacle& obstacle) {
-  std::vector<avo_chain> chains;
-  for (const avo::Chain& chain : obstacle.chains)
-    chains.push_back({lent(chain.points), chain.points.size(), chain.closed});
-  return chains;
-}
-
 Scene::Scene(avo::Scenario read) : scenario(std::move(read)), def(settings_of(scenario)) {
   for (const avo::RobotSetup& robot : scenario.robots) robots.push_back(avo_c::def_of(robot));
   for (const avo::MovingObstacle& obstacle : scenario.moving_obstacles)
     moving_obstacles.push_back(avo_c::def_of(obstacle));
-  for (const avo::StaticObstacle& obstacle : scenario.obstacles) {
-    chains.push_back(chains_of(obstacle));
-    obstacles.push_back({sizeof(avo_obstacle_def), chains.back().data(), chains.back().size(),
-                         obstacle.radius, static_cast<avo_fill>(obstacle.fill),
-                         obstacle.layers.bits});
-  }
+  for (const avo::StaticObstacle& obstacle : scenario.obstacles)
+    obstacles.push_back(avo_c::def_of(obstacle, chains.emplace_back()));
   for (const avo::Team& team : scenario.teams)
     teams.push_back(avo_c::def_of(team, members.emplace_back()));
   def.teams = teams.data();

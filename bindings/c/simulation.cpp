@@ -34,7 +34,11 @@ void observe(Simulation& simulation) {
 // change(simulation) of the simulation with that id; columns lent before are no longer valid.
 template <typename Change>
 avo_result changed(avo_simulation_id id, const Change& change) {
-  return guarded([&] { change(simulations.at(id)); });
+  return guarded([&] {
+    Simulation& own = simulations.at(id);
+    change(own);
+    own.chains.clear();  // not before: what is changed may be a definition that was lent
+  });
 }
 
 // The same for a change after which the simulation may have other robots.

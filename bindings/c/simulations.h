@@ -2,6 +2,8 @@
 // The object behind a simulation's id.
 #pragma once
 #include <atomic>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -30,7 +32,8 @@ struct Simulation {
 
   std::mutex looking;
   std::atomic<bool> has_ids = false;
-  std::vector<avo_robot_id> ids;  // of the columns; made on demand
+  std::vector<avo_robot_id> ids;                           // of the columns; made on demand
+  std::map<std::uint64_t, std::vector<avo_chain>> chains;  // of definitions that are lent
 };
 
 inline AVO_C_CONSTINIT Handles<avo_simulation_id, Simulation> simulations("simulation");

@@ -145,6 +145,16 @@ avo_result avo_formation_slots(avo_formation formation, size_t count, double spa
   });
 }
 
+avo_result avo_place_slots(const avo_vec2* slots, size_t count, avo_vec2 center, double heading,
+                           avo_vec2* placed) {
+  return guarded([&] {
+    require_array(placed, count, "placed");
+    for (const avo::Vec2 slot :
+         avo::place_slots(points_of(slots, count, "slots"), from_c(center), heading))
+      *placed++ = to_c(slot);
+  });
+}
+
 avo_result avo_assign_slots(const avo_vec2* positions, size_t count, const avo_vec2* slots,
                             size_t slot_count, size_t* chosen) {
   return guarded([&] {

@@ -157,6 +157,19 @@ avo::StaticObstacle obstacle_of(const avo_obstacle_def& def, const Where& where)
   return obstacle;
 }
 
+avo_obstacle_def def_of(const avo::StaticObstacle& obstacle, std::vector<avo_chain>& chains) {
+  if (chains.empty())
+    for (const avo::Chain& chain : obstacle.chains)
+      chains.push_back({reinterpret_cast<const avo_vec2*>(chain.points.data()), chain.points.size(),
+                        chain.closed});
+  return {sizeof(avo_obstacle_def),
+          chains.data(),
+          chains.size(),
+          obstacle.radius,
+          static_cast<avo_fill>(obstacle.fill),
+          obstacle.layers.bits};
+}
+
 std::vector<avo::StaticObstacle> obstacles_of(const avo_obstacle_def* obstacles,
                                               std::size_t count) {
   std::vector<avo::StaticObstacle> result;

@@ -62,6 +62,9 @@ enum class Behavior : std::uint8_t {
   /// a polite person. Half-planes count on the share. A certificate assumes that it keeps its
   /// velocity, as far as max_deviation says (docs/certificate/movers.md, "Robots that cooperate").
   cooperates,
+  /// It never moves and decides nothing: a disc that does not move, and that no robot may touch. As
+  /// a Neighbor it is at rest: velocity, acceleration and deviations are 0, without a trajectory.
+  parked,
 };
 AVO_API const char* to_string(Behavior behavior);
 
@@ -127,7 +130,7 @@ AVO_API Vec2 parting_direction(std::uint64_t id, std::uint64_t other);
 
 /// Returns whether A does only a part of what both must do to keep apart.
 inline bool shares(const Neighbor& neighbor) {
-  return neighbor.behavior != Behavior::moves_on;
+  return neighbor.behavior == Behavior::decides || neighbor.behavior == Behavior::cooperates;
 }
 /// Returns whether B does not promise to brake: it is where its motion leads.
 inline bool is_predicted(const Neighbor& neighbor) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as data: robots, moving obstacles, and how they are simulated. SI units.
+// A scene as data: robots, and how they are simulated. SI units.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,9 @@
 #include "avo/execution.h"
 #include "avo/export.h"
 #include "avo/external_method.h"
+#include "avo/moving_obstacle.h"
 #include "avo/planner.h"
+#include "avo/sensing.h"
 #include "avo/teams.h"
 #include "avo/trajectory.h"
 #include "avo/vec.h"
@@ -32,9 +34,6 @@ struct RobotSetup {
   MotionModel model = {};         ///< how it moves
   double heading = 0.0;           ///< rad, counter-clockwise from +x; not read for holonomic robots
   double priority = 1.0;          ///< > 0, see Robot::priority
-  /// It never moves and decides nothing: to the others it is a disc that does not move, and that no
-  /// robot may touch. Its goal is its position, and its velocity is 0.
-  bool parked = false;
   /// Layers that it is in; it heeds the static obstacles of these layers. A parked robot has the
   /// default.
   LayerSet layers{1};
@@ -46,7 +45,8 @@ struct RobotSetup {
   std::optional<double> max_braking = {};
   /// What others count on. To a robot that moves_on they do not leave any share of the avoidance.
   /// They count on its velocity alone, as if it had failed. The robot itself decides as ever. A
-  /// body that reacts to no robot is a MovingObstacle, or avoids no layer.
+  /// body that reacts to no robot is a MovingObstacle, or avoids no layer. The goal of a robot that
+  /// is parked is its position, and its velocity is 0.
   Behavior behavior = Behavior::decides;
   /// The method that chooses its velocities; unset: the scene's. A robot with a method other than
   /// the scene's has the usual options of its own method, see planner_options().
@@ -75,62 +75,25 @@ inline double disc_radius(const RobotSetup& robot) {
   return disc_radius(robot.model, robot.radius);
 }
 
+constexpr bool is_parked(const RobotSetup& robot) {
+  return robot.behavior == Behavior::parked;
+}
+
 /// Returns whether A avoids B: by their layers, or because one of them is parked. A parked robot
 /// and a deciding robot avoid each other, two parked robots do not. If B does not avoid A, B is a
 /// mover to A: it reacts to no other (docs/certificate/movers.md). If A has method avo, B is also a
 /// mover to A if it has another method: B promises nothing (docs/certificate/movers.md, "Robots of
 /// other methods").
 constexpr bool avoids(const RobotSetup& a, const RobotSetup& b) {
-  if (a.parked || b.parked) return a.parked != b.parked;
+  if (is_parked(a) || is_parked(b)) return is_parked(a) != is_parked(b);
   return (a.avoids.bits & b.layers.bits) != 0;
 }
 
 /// Returns whether the two may not be in one place: one of them avoids the other, or both are
 /// parked.
 constexpr bool keep_apart(const RobotSetup& a, const RobotSetup& b) {
-  return (a.parked && b.parked) || avoids(a, b) || avoids(b, a);
+  return (is_parked(a) && is_parked(b)) || avoids(a, b) || avoids(b, a);
 }
-
-/// A disc that reacts to no robot. It moves with constant acceleration, along a path, or as a
-/// trajectory says.
-struct MovingObstacle {
-  Vec2 position = {};      ///< m
-  Vec2 velocity = {};      ///< m/s
-  Vec2 acceleration = {};  ///< m/s^2; 0 with max_speed
-  double radius = 0.5;     ///< m, > 0
-  /// m/s^2, >= 0: robots allow for its acceleration to differ that much from `acceleration`, at any
-  /// time.
-  double max_deviation = 0.0;
-  /// m/s, > 0, with max_deviation: a speed that it never exceeds
-  std::optional<double> max_speed = {};
-  /// m: it moves to these points in turn, and then to the first again, see next_on_path(). A path
-  /// needs max_deviation and max_speed; empty: no path. Robots that sense exactly and decide at the
-  /// same times know where it will be.
-  std::vector<Vec2> path = {};
-  /// By ascending times: it moves straight and evenly from each of these places to the next. Before
-  /// the first time and after the last one it stands there. Its position and velocity must be those
-  /// at 0 s, see start_on_trajectory(). It then has no acceleration and no path. Empty: no
-  /// trajectory.
-  std::vector<TimedPlace> trajectory = {};
-};
-
-/// Where a moving obstacle is on its path at the beginning of a step.
-struct PathWalk {
-  Vec2 position, velocity;       ///< m, m/s
-  std::uint32_t next_point = 0;  ///< position in its path of the point that it moves to
-};
-/// Returns the walk one step later. The acceleration is held over the step and is within
-/// max_deviation. It moves straight to that point, as fast as max_speed and stopping there allow.
-/// It has reached a point when its disc covers the point.
-AVO_API PathWalk next_on_path(const MovingObstacle& obstacle, const PathWalk& walk,
-                              double time_step);
-
-/// Returns its place on its trajectory at a time, and the velocity with which it goes on. The time
-/// is the end of a step: within a step it moves straight from one place to the other. next_point:
-/// the position of the place that it moves to.
-AVO_API PathWalk on_trajectory(const MovingObstacle& obstacle, double time);
-/// Sets its state to that of its trajectory at 0 s, if it has one.
-AVO_API void start_on_trajectory(MovingObstacle& obstacle);
 
 /// How robots on their routes know which other robots are about to pass a narrow passage.
 enum class RightOfWay : std::uint8_t {
@@ -138,56 +101,6 @@ enum class RightOfWay : std::uint8_t {
   seen,  ///< from the place and the motion of each robot
 };
 AVO_API const char* to_string(RightOfWay right_of_way);
-
-/// The distribution of MeasurementNoise.
-enum class NoiseDistribution : std::uint8_t { gaussian, uniform };
-AVO_API const char* to_string(NoiseDistribution distribution);
-
-/// The error of each coordinate of a measurement, independent and new each time.
-struct MeasurementNoise {
-  double position = 0.0;  ///< m, >= 0: standard deviation; for uniform noise the bound
-  double velocity = 0.0;  ///< m/s, >= 0: standard deviation; for uniform noise the bound
-  NoiseDistribution distribution = NoiseDistribution::gaussian;
-  /// Gaussian noise stays within so many standard deviations, > 0, <= 8; unset: 3. Uniform noise
-  /// has no truncation.
-  std::optional<double> truncated = {};
-  friend constexpr bool operator==(const MeasurementNoise&, const MeasurementNoise&) = default;
-};
-
-/// The error of each coordinate of a robot's own position, new each time. A robot knows its
-/// velocity and heading.
-struct LocalizationNoise {
-  double position = 0.0;  ///< m, >= 0: standard deviation; for uniform noise the bound
-  NoiseDistribution distribution = NoiseDistribution::gaussian;
-  std::optional<double> truncated = {};  ///< see MeasurementNoise
-  friend constexpr bool operator==(const LocalizationNoise&, const LocalizationNoise&) = default;
-};
-
-/// How robots sense others and themselves: what a simulation makes of the true states before a
-/// robot uses them. All of it depends on the seed, the step and the two robots alone
-/// (docs/scenes.md, "Sensing").
-struct SensingModel {
-  MeasurementNoise noise = {};
-  /// Whole steps, 0 to kMostDelay, from a measurement to the decision; states are extrapolated
-  /// meanwhile.
-  int delay = 0;           ///< where the clock is free, steps of Scenario::time_step
-  double dropped = 0.0;    ///< 0 to 0.999: share of the measurements that are missed
-  bool occlusion = false;  ///< a robot is not sensed if its center is behind an obstacle
-  /// Others are sensed relative to the robot. This is the error of the map that it knows: walls,
-  /// and its goal.
-  LocalizationNoise localization = {};
-  friend constexpr bool operator==(const SensingModel&, const SensingModel&) = default;
-
-  /// Returns whether robots sense the true states of others and of themselves.
-  [[nodiscard]] constexpr bool is_exact() const { return *this == SensingModel{}; }
-  /// Returns whether a robot may be sensed in one step and not in the next; it is extrapolated
-  /// meanwhile.
-  [[nodiscard]] constexpr bool misses() const { return dropped > 0.0 || occlusion; }
-};
-inline constexpr double kUsualTruncation = 3.0;  ///< standard deviations
-inline constexpr int kMostDelay = 100;           ///< steps
-/// Steps for which a missed robot is extrapolated, with its Neighbor::age; then it is forgotten.
-inline constexpr int kMostCarried = 10;
 
 /// A scene: the moving bodies, their surroundings, and how they are simulated. Its fields are the
 /// keys of scene files.

@@ -45,6 +45,9 @@ struct ConvertOptions {
   /// without robots gives the walls.
   std::optional<avo::Scenario> scenario = {};
   SceneSource source = {};  ///< of that scene; for the format `recording`
+  /// For the format `recording`, see MotionScene. Empty: the robots have their numbers in the scene
+  std::vector<std::int64_t> robots = {};
+  double first_time = 0.0;  ///< s, of the motion: 0 s in the scene
   /// Called with each time of the recording, s, once it is converted.
   std::function<void(double time)> converted = {};
 };
@@ -70,6 +73,19 @@ struct Converted {
   std::vector<OtherStart> other_starts = {};
 };
 inline constexpr double kSameStart = 1e-3;  ///< m, for the digits of recordings
+
+/// A scene made of a motion.
+struct MotionScene {
+  SceneSource source;                     ///< parse_scenario() makes the scene of it
+  std::vector<std::int64_t> robots = {};  ///< of each robot of the scene, its number in the motion
+  double first_time = 0.0;                ///< s, of the motion: 0 s in the scene
+};
+/// Makes a scene of the motion in a file. Each robot starts where and when the motion has it first.
+/// Its goal is its last place. Its limits are the largest speed and acceleration that it has, and
+/// its radius, m, is given. Surroundings: a scene without robots, or an empty source. Throws
+/// FileError, RecordingError and SceneError.
+AVO_API MotionScene scene_of_motion(const std::string& input, const SceneSource& surroundings,
+                                    double radius);
 
 /// Writes the recording at `input` (CSV, HDF5, a spool, trajectories of others; "-" is the standard
 /// input, of CSV) to `output`, whole or not at all. It never holds more than one time, of HDF5 64.

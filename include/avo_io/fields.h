@@ -27,8 +27,8 @@ struct FieldOf {
 };
 
 /// A key of a robot.
-using RobotField = FieldOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, bool,
-                           avo::LayerSet, avo::Behavior, std::optional<avo::Method>>;
+using RobotField = FieldOf<avo::RobotSetup, double, std::optional<double>, avo::Vec2, avo::LayerSet,
+                           avo::Behavior, std::optional<avo::Method>>;
 /// An option of a planner.
 using PlannerField = FieldOf<avo::PlannerOptions, double, std::optional<double>, std::optional<int>,
                              bool, avo::Method, avo::Motion, avo::Certificate, avo::Clock>;
@@ -44,7 +44,7 @@ using SpaceSceneField =
             std::string, bool, std::optional<avo::Certificate>, avo::Motion>;
 
 /// All keys of a robot but those of its motion model, in the order of the documentation. `heading`
-/// belongs to the model.
+/// belongs to the model, and `parked` is a value of `behavior`.
 AVO_API std::vector<RobotField> robot_fields();
 /// All options of a planner but `sensing_error`, `sensing_noise` and `wall_range`.
 AVO_API std::vector<PlannerField> planner_fields();

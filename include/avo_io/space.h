@@ -100,11 +100,17 @@ AVO_API Converted convert_in_space(const std::string& input, const std::string& 
 /// columns.
 AVO_API bool is_space_recording(const std::string& path);
 
-/// Writes the set points of a recording's quadrotors as CSV, `rate` (Hz) times a second. The header
-/// is "time,robot,x,y,z,vx,vy,vz,ax,ay,az", and rows are in order of time, then robot. `output` is
-/// whole or not there. All robots of the scene must be quadrotors. Returns the number of rows.
-/// Throws Error, RecordingError, FileError.
+/// Whose frame, units and columns a file of set points has (docs/exports.md, "Set points").
+enum class Autopilot : std::uint8_t {
+  any,        ///< the frame of the scene
+  px4,        ///< see avo::space::Px4SetPoint
+  crazyflie,  ///< see avo::space::CrazyflieSetPoint
+};
+/// Writes the set points of a recording's quadrotors as CSV, `rate` (Hz) times a second. Rows are
+/// in order of time, then robot. `output` is whole or not there. All robots of the scene must be
+/// quadrotors. Returns the number of rows. Throws Error, RecordingError, FileError.
 AVO_API std::int64_t write_set_points(const std::string& recording, const std::string& output,
-                                      const avo::space::Scenario& scene, double rate);
+                                      const avo::space::Scenario& scene, double rate,
+                                      Autopilot autopilot = Autopilot::any);
 
 }  // namespace avo_io

@@ -2,6 +2,7 @@
 // Converts a recording to another format: its times become frames, and its robots face a direction.
 #include "avo_io/convert.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
@@ -139,17 +140,27 @@ std::vector<OtherStart> other_starts(const avo::Scenario& scenario, const Record
   return others;
 }
 
+/// Turns rows of a motion into those of the scene that was made of it.
+void renumber(RecordedTime& moment, const ConvertOptions& options) {
+  moment.time -= options.first_time;
+  for (avo::CheckedState& row : moment.rows)
+    row.robot = std::ranges::lower_bound(options.robots, row.robot) - options.robots.begin();
+}
+
 /// Makes a recording of rows of any origin, for what reads recordings with their scenes.
 Converted record(const std::string& input, const std::string& output,
                  const ConvertOptions& options) {
   if (!options.scenario || options.scenario->robots.empty())
     throw avo::Error("the scene: found no robots, must have those of the recording");
   const avo::Scenario& scenario = *options.scenario;
-  RecordingReader reader(input, static_cast<std::int64_t>(scenario.robots.size()));
+  std::optional<std::int64_t> known = static_cast<std::int64_t>(scenario.robots.size());
+  if (!options.robots.empty()) known.reset();  // numbers of the motion, which may be any
+  RecordingReader reader(input, known);
   std::optional<Hdf5Recording> recording;
   Converted result;
   RecordedTime moment;
   while (reader.next(moment)) {
+    if (!options.robots.empty()) renumber(moment, options);
     if (moment.time > scenario.duration * (1.0 + kOfStep))
       throw RecordingError(fmt::format("{}: found {} s, must be <= {} s, the duration of the scene",
                                        reader.place(), moment.time, scenario.duration));
@@ -158,7 +169,7 @@ Converted record(const std::string& input, const std::string& output,
         throw RecordingError(
             fmt::format("{}: found no heading, must have one: robot {} is not holonomic",
                         reader.place(row.robot), row.robot));
-    if (!recording) result.other_starts = other_starts(scenario, moment);
+    if (!recording && options.robots.empty()) result.other_starts = other_starts(scenario, moment);
     if (!recording)
       recording.emplace(output, scenario, options.source, RecordingOptions{.every = moment.every});
     recording->add(moment);

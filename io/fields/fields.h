@@ -93,7 +93,8 @@ AVO_LOCAL inline const auto kWords<avo::AccelerationSet> = by_name(avo::Accelera
 template <>
 AVO_LOCAL inline const auto kWords<avo::Behavior> = by_name(avo::Behavior::decides,
                                                             avo::Behavior::cooperates,
-                                                            avo::Behavior::moves_on);
+                                                            avo::Behavior::moves_on,
+                                                            avo::Behavior::parked);
 template <>
 AVO_LOCAL inline const auto kWords<avo::Formation> = by_name(avo::Formation::line,
                                                              avo::Formation::column,

@@ -87,8 +87,8 @@ RecordedRun read_run(const std::string& recording, std::size_t most_frames) {
   RecordedRun run;
   run.scenario = source.scenario();
   const BlockShape shape = source.shape();
-  const auto parked = std::count_if(run.scenario.robots.begin(), run.scenario.robots.end(),
-                                    [](const avo::RobotSetup& robot) { return robot.parked; });
+  const auto parked =
+      std::count_if(run.scenario.robots.begin(), run.scenario.robots.end(), avo::is_parked);
   run.travelers = std::ssize(run.scenario.robots) - parked;
   avo::Check check = judge_of_arrivals(run.scenario);
   MoverWalk movers(run.scenario);

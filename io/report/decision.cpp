@@ -34,7 +34,7 @@ Json to_json(const avo::LoiterCircle& circle) {
 
 /// Returns the robot's share of the evasion between the two.
 double share_of(const avo::Robot& self, const avo::Neighbor& neighbor) {
-  if (neighbor.behavior == avo::Behavior::moves_on) return 1.0;
+  if (!shares(neighbor)) return 1.0;
   return avo::reciprocal_share(self.max_acceleration, neighbor.max_acceleration, self.priority,
                                neighbor.priority);
 }
@@ -211,7 +211,7 @@ std::string to_json(const Decision& decision) {
             {"max_braking", braking_limit(self)},
             {"priority", self.priority},
             {"neighbors", neighbors_of(decision)},
-            {"rule", chooses_in_half_planes(decision) ? "half_planes" : "union_of_obstacles"},
+            {"target_by", chooses_in_half_planes(decision) ? "half_planes" : "union_of_obstacles"},
             {"half_planes", half_planes_of(decision)},
             {"walls", walls_of(decision)},
             {"wall_half_planes", wall_half_planes_of(decision.wall_planes)}};

@@ -44,7 +44,7 @@ void require_explainable(const avo::Scenario& scenario, std::int64_t robot, doub
   const auto robots = static_cast<std::int64_t>(scenario.robots.size());
   if (robot < 0 || robot >= robots)
     throw avo::Error(fmt::format("robot: found {}, must be 0 to {}", robot, robots - 1));
-  if (scenario.robots[static_cast<std::size_t>(robot)].parked)
+  if (is_parked(scenario.robots[static_cast<std::size_t>(robot)]))
     throw avo::Error(
         fmt::format("robot: found {}, which is parked, must be one that decides", robot));
   if (!std::isfinite(time) || time < 0.0)

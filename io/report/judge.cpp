@@ -123,7 +123,7 @@ double longest_step(const avo::Scenario& scenario) {
   if (scenario.clock == avo::Clock::common) return scenario.time_step;
   double step = std::numeric_limits<double>::infinity();
   for (const avo::RobotSetup& robot : scenario.robots)
-    if (!robot.parked) step = std::min(step, time_step_of(scenario, robot));
+    if (!is_parked(robot)) step = std::min(step, time_step_of(scenario, robot));
   return step;
 }
 

@@ -30,7 +30,7 @@ std::optional<std::pair<std::size_t, std::size_t>> find_coincident(
       return std::pair(*other, order[i]);
     }
     all.layers.bits |= robot.layers.bits, all.avoids.bits |= robot.avoids.bits;
-    all.parked = all.parked || robot.parked;
+    if (is_parked(robot)) all.behavior = avo::Behavior::parked;
   }
   return std::nullopt;
 }

@@ -128,7 +128,7 @@ void draw_reachable(const Group& group, const avo::Scenario& scenario, std::uint
                     Starts& from, std::vector<Vec2>& to) {
   const auto* area = std::get_if<RandomPlacement>(&group.placement);
   const auto* goals = std::get_if<RandomGoals>(&group.goals);
-  if ((area == nullptr && goals == nullptr) || group.robot.parked) return;
+  if ((area == nullptr && goals == nullptr) || is_parked(group.robot)) return;
   const std::vector<avo::Wall> walls = walls_about(scenario, group.robot.layers);
   if (walls.empty()) return;
   Draws draws(group, scenario, Random(scenario.seed, stream + kAgain), walls, from, to);

@@ -26,6 +26,19 @@ void complete(const YamlNode& node, avo::RobotSetup& robot) {
   if (left_out("preferred_speed")) robot.preferred_speed = robot.max_speed;
 }
 
+/// Reads `parked`, which is short for a behavior.
+void read_parked(const Reader& reader, const YamlNode& node, const std::string& path,
+                 avo::RobotSetup& robot) {
+  const YamlNode* parked = node.find("parked");
+  if (parked == nullptr) return;
+  const bool is = reader.truth(*parked, path_to(path, "parked"));
+  if (node.find("behavior") == nullptr)
+    robot.behavior = is ? avo::Behavior::parked : avo::Behavior::decides;
+  else if (is != is_parked(robot))
+    reader.fail(*parked, path_to(path, "parked"), parked->text,
+                fmt::format("must be left out beside behavior: {}", to_string(robot.behavior)));
+}
+
 }  // namespace
 
 void take_radius(const YamlNode& node, double radius, avo::RobotSetup& robot) {
@@ -36,6 +49,7 @@ void take_radius(const YamlNode& node, double radius, avo::RobotSetup& robot) {
 void read_robot(const Reader& reader, const YamlNode& node, const std::string& path,
                 avo::RobotSetup& robot, bool patch) {
   reader.read_map(node, path, robot, patch);
+  read_parked(reader, node, path, robot);
   read_model(reader, node, path, robot, nullptr);
   if (!patch) complete(node, robot);
 }
@@ -92,6 +106,7 @@ void read_alike(const Reader& reader, const YamlNode& node, const std::string& p
   reader.check_keys(node, path, keys);
   reader.read(node, path, fields<T>(), target);
   reader.read(node, path, group_robot_fields(), target.robot);
+  read_parked(reader, node, path, target.robot);
   read_model(reader, node, path, target.robot, &target.heading);
   complete(node, target.robot);
 }

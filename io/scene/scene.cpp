@@ -172,7 +172,7 @@ class SceneBuilder {
   }
 
   void check_task(const Group& group, const YamlNode& node, const std::string& path) const {
-    if (group.robot.parked)
+    if (is_parked(group.robot))
       reader_.fail(node, path, "one of parked robots", "must be left out, as they do not move");
     avo::retelling<avo::Error>(
         [&] { avo::validate(*group.task); },

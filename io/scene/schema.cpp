@@ -50,11 +50,12 @@ Json footprint_schema() {
   return json;
 }
 
-/// Returns the schemas of the keys of a robot's motion.
+/// Returns the schemas of the keys of a robot without a member of their own.
 Json nested_of_robots(const Json& heading) {
   Json car = map_schema(fields<avo::Car>(), {{"body", map_schema(fields<avo::CarBody>())}});
   car["properties"]["heading"] = heading;
-  return {{"model", names_schema(kModels)},
+  return {{"parked", {{"type", "boolean"}}},
+          {"model", names_schema(kModels)},
           {"heading", heading},
           {"car", car},
           {"drive", map_schema(fields<avo::DifferentialDrive>())},

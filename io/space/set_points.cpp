@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Set points of quadrotors for their autopilots, made of the references that a run recorded.
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "avo/error.h"
-#include "avo/space/quadrotor.h"
+#include "avo/space/autopilots.h"
 #include "avo_io/output_file.h"
 #include "avo_io/space.h"
 #include "io/recording/csv_lines.h"
@@ -24,6 +25,11 @@ using avo::space::Scenario;
 using avo::space::SetPoint;
 
 constexpr const char* kHeader = "time,robot,x,y,z,vx,vy,vz,ax,ay,az\n";
+constexpr const char* kPx4Header =
+    "timestamp,robot,position[0],position[1],position[2],velocity[0],velocity[1],velocity[2],"
+    "acceleration[0],acceleration[1],acceleration[2],jerk[0],jerk[1],jerk[2],yaw,yawspeed\n";
+constexpr const char* kCrazyflieHeader =
+    "time,robot,x,y,z,vx,vy,vz,ax,ay,az,qx,qy,qz,qw,rollrate,pitchrate,yawrate\n";
 constexpr double kMostRate = 1e4;  // Hz
 constexpr double kOff = 1e-6;      // m, because those of positions may be
 
@@ -40,31 +46,74 @@ std::vector<Filter> filters_of(const Scenario& scene) {
   return filters;
 }
 
+void append(const Vec3& vector, std::string& line) {
+  for (const double x : {vector.x, vector.y, vector.z}) {
+    line += ',';
+    append_number(x, line);
+  }
+}
+
+template <std::size_t Size>
+void append(const std::array<float, Size>& numbers, std::string& line) {
+  for (const float x : numbers) line += fmt::format(",{}", x);
+}
+
+// A row after its robot.
+template <typename Point>
+void append_motion(const Point& point, std::string& line) {
+  append(point.position, line);
+  append(point.velocity, line);
+  append(point.acceleration, line);
+}
+
+std::string row_of(const SetPoint& point, double time, std::size_t robot, Autopilot autopilot) {
+  std::string line;
+  if (autopilot == Autopilot::px4) {
+    const avo::space::Px4SetPoint own = px4_set_point(point, time);
+    line = fmt::format("{},{}", own.timestamp, robot);
+    append_motion(own, line);
+    append(own.jerk, line);
+    return line + fmt::format(",{},{}\n", own.yaw, own.yawspeed);
+  }
+  line = fmt::format("{},{}", csv_time(time), robot);
+  if (autopilot == Autopilot::any) {
+    append_motion(point, line);
+    return line + '\n';
+  }
+  const avo::space::CrazyflieSetPoint own = crazyflie_set_point(point);
+  append_motion(own, line);
+  append(own.orientation, line);
+  return line + fmt::format(",{},{},{}\n", own.roll_rate, own.pitch_rate, own.yaw_rate);
+}
+
+const char* header_of(Autopilot autopilot) {
+  if (autopilot == Autopilot::px4) return kPx4Header;
+  return autopilot == Autopilot::crazyflie ? kCrazyflieHeader : kHeader;
+}
+
 /// Writes set points at even times.
 struct SetPointWriter {
   OutputFile file;
-  double rate;             // Hz
+  double rate;  // Hz
+  Autopilot autopilot;
   std::int64_t count = 0;  // of times
   std::string lines = {};
+
+  [[nodiscard]] std::string row(const SetPoint& point, double time, std::size_t robot) const {
+    try {
+      return row_of(point, time, robot, autopilot);
+    } catch (const avo::Error& error) {
+      throw avo::Error(fmt::format("robot {} at {} s: {}", robot, csv_time(time), error.what()));
+    }
+  }
 
   // All set points from the last written one to that time, s.
   void write_until(double time, const std::vector<Filter>& filters) {
     for (;; ++count) {
       const double now = static_cast<double>(count) / rate;
       if (now > time) return;
-      const std::string text = csv_time(now);
       lines.clear();
-      for (std::size_t k = 0; k < filters.size(); ++k) {
-        const SetPoint point = filters[k].at(now);
-        lines += fmt::format("{},{}", text, k);
-        for (const Vec3& vector : {point.position, point.velocity, point.acceleration}) {
-          for (const double x : {vector.x, vector.y, vector.z}) {
-            lines += ',';
-            append_number(x, lines);
-          }
-        }
-        lines += '\n';
-      }
+      for (std::size_t k = 0; k < filters.size(); ++k) lines += row(filters[k].at(now), now, k);
       file.write(lines);
     }
   }
@@ -102,13 +151,13 @@ Vec3 held_acceleration(const SpaceRows& rows, const CheckedState& from, const Ch
 }  // namespace
 
 std::int64_t write_set_points(const std::string& recording, const std::string& output,
-                              const Scenario& scene, double rate) {
+                              const Scenario& scene, double rate, Autopilot autopilot) {
   if (!(rate > 0.0 && rate <= kMostRate))
     throw avo::Error(fmt::format("rate: found {}, must be > 0 and <= {} Hz", rate, kMostRate));
   std::vector<Filter> filters = filters_of(scene);
   SpaceRows rows(recording);
-  SetPointWriter writer{OutputFile(output), rate};
-  writer.file.write(kHeader);
+  SetPointWriter writer{OutputFile(output), rate, autopilot};
+  writer.file.write(header_of(autopilot));
   std::vector<CheckedState> before;
   double last = 0.0;  // s
   for (std::int64_t step = 0; const SpaceMoment* moment = rows.next(); ++step) {

@@ -35,7 +35,7 @@ std::vector<avo::RobotId> judged_of(const SweepSpec& spec) {
 }
 
 bool is_parked(const avo::Simulation& simulation, avo::RobotId robot) {
-  return simulation.setup(robot).parked;
+  return is_parked(simulation.setup(robot));
 }
 bool is_parked(const avo::space::Simulation& /*simulation*/, avo::RobotId /*robot*/) {
   return false;

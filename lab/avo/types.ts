@@ -158,16 +158,16 @@ export interface RobotSetup {
   preferred_speed?: number; // m/s
   priority?: number;
   max_braking?: number; // m/s^2
-  parked?: boolean;
   layers?: number[];
   avoids?: number[];
-  behavior?: "decides" | "cooperates" | "moves_on";
+  behavior?: "decides" | "cooperates" | "moves_on" | "parked";
   time_step?: number; // s
   method?: string;
   time_horizon?: number; // s
   arrival_distance?: number; // m
   start_time?: number; // s
   // scripts/fields end
+  parked?: boolean; // short for behavior: parked
   model?: RobotInfo["model"];
   heading?: number; // rad
   car?: Car;

@@ -78,7 +78,7 @@ void append_walls(const avo::Simulation& simulation, const std::vector<Disc>& di
     const avo::WallGrid grid(walls, reach);
     const std::string name = "obstacles." + std::to_string(obstacles.id[k].value);
     for (std::size_t i = 0; i < discs.size(); ++i) {
-      if (simulation.fleet().setup[discs[i].row].parked) continue;
+      if (is_parked(simulation.fleet().setup[discs[i].row])) continue;
       for (const avo::Wall& wall : grid.near(discs[i].center))
         append_overlap(discs[i], name, nearest_on({wall.a, wall.b}, discs[i].center), wall.radius,
                        contacts);

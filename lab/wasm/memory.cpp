@@ -20,7 +20,7 @@ bool same_robots(const SavedState& a, const SavedState& b) {
   for (std::size_t k = 0; k < a.robots.size(); ++k) {
     const avo::RobotSetup &one = a.scene.robots[k], &other = b.scene.robots[k];
     if (a.robots[k].id != b.robots[k].id || one.model != other.model ||
-        one.radius != other.radius || one.parked != other.parked)
+        one.radius != other.radius || is_parked(one) != is_parked(other))
       return false;
   }
   return true;
@@ -41,7 +41,7 @@ void take_states(const SavedState& now, SavedState& next) {
     if (i == now.robots.size() || now.robots[i].id != robot.id) continue;
     const avo::RobotSetup &setup = next.scene.robots[k], &was = now.scene.robots[i];
     const double moved = norm(robot.position - now.robots[i].position);  // a start rounds the place
-    if (setup.model != was.model || setup.parked || moved > kRounding) continue;
+    if (setup.model != was.model || is_parked(setup) || moved > kRounding) continue;
     const avo::Detour fresh = robot.detour;
     robot = now.robots[i];
     if (!(setup.goal == was.goal)) robot.detour = fresh;

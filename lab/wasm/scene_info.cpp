@@ -78,7 +78,7 @@ Json robots_of(const avo::FleetView& fleet) {
                       {"max_acceleration", robot.max_acceleration},
                       {"preferred_speed", robot.preferred_speed},
                       {"priority", robot.priority},
-                      {"parked", robot.parked},
+                      {"parked", is_parked(robot)},
                       {"model", model_of(robot)}});
   }
   return robots;

@@ -22,7 +22,7 @@ void go_on(avo::RobotSetup& robot, const avo::RobotSetup* was, std::size_t index
     robot.velocity = fleet.velocity[index];
     robot.heading = is_holonomic(robot.model) ? 0.0 : fleet.heading[index];
   }
-  if (robot.parked) robot.goal = robot.position, robot.velocity = {};
+  if (is_parked(robot)) robot.goal = robot.position, robot.velocity = {};
 }
 
 /// Returns whether the obstacle continues from its present place.

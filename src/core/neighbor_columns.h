@@ -94,7 +94,7 @@ struct NeighborColumns {
     x[count] = neighbor.position.x, y[count] = neighbor.position.y;
     v_x[count] = neighbor.velocity.x, v_y[count] = neighbor.velocity.y;
     radius[count] = neighbor.radius, max_acceleration[count] = neighbor.max_acceleration;
-    const bool moves_on = neighbor.behavior == Behavior::moves_on;
+    const bool moves_on = !shares(neighbor);
     const bool predicted = avo::is_predicted(neighbor);
     const bool aged = has_errors_of_its_own(neighbor);
     const bool loiters = !predicted && neighbor.loiter.has_value();

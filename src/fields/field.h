@@ -32,7 +32,7 @@ struct MembersOf {
 };
 template <>
 struct MembersOf<RobotSetup> {
-  using type = MemberOf<RobotSetup, double, std::optional<double>, Vec2, bool, LayerSet, Behavior,
+  using type = MemberOf<RobotSetup, double, std::optional<double>, Vec2, LayerSet, Behavior,
                         std::optional<Method>>;
 };
 template <>

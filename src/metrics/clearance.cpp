@@ -112,8 +112,8 @@ ClearanceFinder::ClearanceFinder(const Scenario& scenario) : state_(std::make_un
     state_->first_disc.push_back(state_->discs.size());
     for (int k = 0; k < std::max(footprint.discs, 1); ++k) {
       state_->all.push_back(state_->discs.size());
-      if (!robot.parked) state_->not_parked.push_back(state_->discs.size());
-      state_->discs.push_back({radius, robot.layers.bits, robot.avoids.bits, robot.parked,
+      if (!is_parked(robot)) state_->not_parked.push_back(state_->discs.size());
+      state_->discs.push_back({radius, robot.layers.bits, robot.avoids.bits, is_parked(robot),
                                footprint ? footprint.ahead(k) : 0.0, state_->models.size()});
     }
     state_->models.push_back(robot.model);

@@ -57,7 +57,7 @@ void Events::State::take_roster(const Simulation& simulation) {
     const bool is_known = known != robots.end() && known->id == fleet.id[row];
     if (!is_known) tell(fleet.id[row], EventKind::came);
     Watched& robot = present.emplace_back(is_known ? *known++ : Watched{{.id = fleet.id[row]}});
-    robot.parked = setup.parked;
+    robot.parked = is_parked(setup);
     robot.preferred_speed = setup.preferred_speed, robot.max_speed = setup.max_speed;
     robot.start_time = setup.start_time;
     if (is_known) continue;

@@ -29,7 +29,7 @@ void MoverContacts::take(const FleetView& fleet) {
   discs_.clear();
   for (std::size_t row = 0; row < fleet.id.size(); ++row) {
     const RobotSetup& setup = fleet.setup[row];
-    discs_.push_back({fleet.id[row].value, setup.parked, disc_radius(setup),
+    discs_.push_back({fleet.id[row].value, is_parked(setup), disc_radius(setup),
                       norm(disc_center(setup) - setup.position),
                       footprint_of(setup.model).discs > 0});
   }

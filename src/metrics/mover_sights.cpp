@@ -18,7 +18,7 @@ void MoverSights::observe(const Simulation& simulation) {
   const FleetView fleet = simulation.fleet();
   const double reach = simulation.sensing_radius();
   for (std::size_t i = 0; i < fleet.id.size(); ++i) {
-    if (fleet.setup[i].parked) continue;
+    if (is_parked(fleet.setup[i])) continue;
     // a robot senses when it decides
     if (simulation.next_decision(fleet.id[i]) != simulation.time()) continue;
     std::map<std::uint64_t, bool>& sights = sights_[fleet.id[i].value];

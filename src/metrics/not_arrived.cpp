@@ -22,7 +22,7 @@ void LastSeen::look_at(const Simulation& simulation, const FleetView& fleet) {
     robots[i] = {fleet.id[i],      fleet.position[i],     fleet.velocity[i],   fleet.goal[i],
                  fleet.heading[i], fleet.detour[i].angle, fleet.plan[i].status};
     const bool is_at_rest = norm(fleet.velocity[i]) <= kStands * fleet.setup[i].preferred_speed;
-    if (!is_at_rest || fleet.setup[i].parked || simulation.is_at_goal(fleet.id[i])) continue;
+    if (!is_at_rest || is_parked(fleet.setup[i]) || simulation.is_at_goal(fleet.id[i])) continue;
     if (const auto waits = simulation.wait(fleet.id[i]))
       wait.push_back(*waits), waiting.push_back(i);
   }

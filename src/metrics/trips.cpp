@@ -18,7 +18,7 @@ void begin(Trip& trip, const Simulation& simulation, const FleetView& fleet, std
   const Vec2 position = fleet.position[i], ahead = route.next - position;
   const double distance = norm(ahead), a = setup.max_acceleration;
   trip.robot = fleet.id[i].value;
-  trip.parked = setup.parked;
+  trip.parked = is_parked(setup);
   trip.begin = trip.end = simulation.time();
   trip.goal = fleet.goal[i];
   trip.preferred_speed = setup.preferred_speed;

@@ -26,7 +26,7 @@ void look(const Robot& robot, std::span<const Neighbor> neighbors, Simulation::P
       neighbor.trajectory =
           seen.trajectories.emplace_back(std::make_shared<Trajectory>(*neighbor.trajectory)).get();
     const auto index = static_cast<std::int64_t>(k);
-    seen.source.push_back(neighbor.behavior == Behavior::moves_on ? -1 - index : index);
+    seen.source.push_back(shares(neighbor) ? index : -1 - index);
   }
 }
 

@@ -73,9 +73,7 @@ void go_around_resting(NavigatorState& state, Memory& memory, const Robot& robot
   std::vector<Wall>& resting = state.resting;
   resting.clear();
   for (const Neighbor& one : neighbors) {
-    if (one.behavior != Behavior::moves_on || one.trajectory != nullptr ||
-        one.acceleration != Vec2{})
-      continue;
+    if (shares(one) || one.trajectory != nullptr || one.acceleration != Vec2{}) continue;
     if (const auto disc = resting_disc(one.position, one.velocity, one.radius, true))
       resting.push_back(*disc);
   }
@@ -115,7 +113,7 @@ void collect_claims(NavigatorState& state, const Memory& memory,
   std::vector<Claimant>& claimants = state.claims.parts.front();
   claimants.clear();
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
-    if (neighbors[k].behavior == Behavior::moves_on) continue;
+    if (!shares(neighbors[k])) continue;
     Claimant one;
     one.position = neighbors[k].position;
     one.rank = static_cast<std::uint32_t>(k);

@@ -39,7 +39,8 @@ AVO_LOCAL inline constexpr std::array kNames<RightOfWay>{"none", "seen"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<NoiseDistribution>{"gaussian", "uniform"};
 template <>
-AVO_LOCAL inline constexpr std::array kNames<Behavior>{"decides", "moves_on", "cooperates"};
+AVO_LOCAL inline constexpr std::array kNames<Behavior>{"decides", "moves_on", "cooperates",
+                                                       "parked"};
 template <>
 AVO_LOCAL inline constexpr std::array kNames<PlanStatus>{
     "optimal", "least_unsafe", "refused", "braking", "overlapping", "invalid_input", "detour"};

@@ -85,6 +85,9 @@ bool is_deviation(double value) {
 // Tests a predicted neighbor. is_valid() tests for all neighbors the values that nearly all of them
 // have.
 bool is_valid_mover(const Neighbor& mover) {
+  if (mover.behavior == Behavior::parked)
+    return mover.velocity == Vec2{} && mover.acceleration == Vec2{} && mover.max_deviation == 0.0 &&
+           mover.likely_deviation == 0.0 && mover.trajectory == nullptr && !mover.loiter;
   const bool is_placed = mover.trajectory == nullptr || (!mover.trajectory->places().empty() &&
                                                          is_known(mover.trajectory_time) != 0);
   return is_deviation(mover.max_deviation) && is_deviation(mover.likely_deviation) &&
@@ -118,7 +121,7 @@ bool is_valid(const Neighbor& neighbor) {
        is_size(neighbor.radius) & dated) == 0)
     return false;
   if (is_predicted(neighbor) && !is_valid_mover(neighbor)) return false;
-  if (neighbor.behavior == Behavior::moves_on) return true;
+  if (!shares(neighbor)) return true;
   const double a_max = neighbor.max_acceleration;
   const int able = static_cast<int>(a_max > 0.0) & static_cast<int>(a_max <= kLargest) &
                    is_size(neighbor.priority) & is_known(neighbor.parting);
@@ -168,7 +171,7 @@ namespace {
 
 // A robot that flies counts on what it senses of a robot, and it evades a mover with any errors.
 bool may_fly_beside(const Neighbor& neighbor) {
-  if (neighbor.behavior == Behavior::moves_on) return true;
+  if (!shares(neighbor)) return true;
   return neighbor.behavior == Behavior::decides && !has_errors_of_its_own(neighbor);
 }
 

@@ -21,7 +21,7 @@ void collect_claims(const World& world, const Routes& routes, Executor& executor
     own.reserve(kMostClaims * (robots / parts + 1));
     for (std::size_t k = part * robots / parts; k < (part + 1) * robots / parts; ++k) {
       const std::uint32_t slot = world.fleet.slot_of[k];
-      if (world.fleet.conduct[slot].parked || !world.fleet.heads_for_goal(slot)) continue;
+      if (world.fleet.is_parked(slot) || !world.fleet.heads_for_goal(slot)) continue;
       append_claims(routes, claimant_of(world, slot), world.fleet.velocity[slot], own);
     }
   });

@@ -53,7 +53,7 @@ void start_clock(World& world, std::size_t slot) {
   clock.begin = world.now;
   clock.from = clock.to = {fleet.position[slot], fleet.velocity[slot], fleet.heading[slot]};
   clock.has_decided = false;
-  if (fleet.conduct[slot].parked) {
+  if (fleet.is_parked(slot)) {
     clock.end = std::numeric_limits<Instant>::max();
     return;
   }
@@ -93,7 +93,7 @@ void make_agenda(World& world) {
   agenda.later.clear(), agenda.now.clear();
   agenda.later.reserve(fleet.size()), agenda.now.reserve(fleet.size());
   for (std::uint32_t rank = 0; rank < fleet.size(); ++rank) {
-    if (fleet.conduct[fleet.slot_of[rank]].parked) continue;
+    if (fleet.is_parked(fleet.slot_of[rank])) continue;
     const Instant end = fleet.clock[rank].end;
     if (end > world.now)
       agenda.later.emplace_back(end, rank);
@@ -137,7 +137,7 @@ void carry_on(World& world, Instant instant) {
 }
 
 MotionState present_state(const World& world, std::size_t slot) {
-  if (world.is_current || world.fleet.conduct[slot].parked) return world.fleet.state(slot);
+  if (world.is_current || world.fleet.is_parked(slot)) return world.fleet.state(slot);
   return state_at(world, slot, world.now);
 }
 

@@ -58,7 +58,7 @@ FloorRoutes routes_among(const World& world, const StaticWorld& statics) {
 void adopt(World& world, FloorRoutes planned) noexcept {
   Fleet& fleet = world.fleet;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    if (fleet.conduct[slot].parked) continue;
+    if (fleet.is_parked(slot)) continue;
     const Vec2 goal = fleet.goal[slot];
     const auto rank = static_cast<std::size_t>(fleet.rank[slot]);
     const Vec2 end = planned.travels.empty() ? goal : planned.travels[rank].heads_for(goal);

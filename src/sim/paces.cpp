@@ -53,7 +53,7 @@ std::optional<std::uint32_t> known_pace(const World& world, const PaceKey& key) 
 }  // namespace
 
 std::uint32_t World::pace_of(const RobotSetup& setup, bool may_replace) {
-  if (setup.parked) return 0;
+  if (is_parked(setup)) return 0;
   const PaceKey key{method_of(settings, setup), time_step_of(settings, setup),
                     time_horizon_of(settings, setup), arrival_distance_of(settings, setup)};
   if (const auto known = known_pace(*this, key)) return *known;

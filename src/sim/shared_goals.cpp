@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot that shares its goal with others stands near it, and does not fight for a point at which
 // only one can be. It is a rule for arriving (docs/arrival.md, rule 4), of method avo alone.
+#include "sim/shared_goals.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -46,10 +48,6 @@ struct Sharers {
   }
 };
 
-bool hinder(const Conduct& a, const Conduct& b) {
-  return (a.avoids.bits & b.layers.bits) != 0 || (b.avoids.bits & a.layers.bits) != 0;
-}
-
 // Returns whether goals lie along y rather than along x: a sweep along them meets few at a time.
 bool are_along_y(std::span<const Vec2> goals) {
   const auto by_x = [](Vec2 a, Vec2 b) { return a.x < b.x; };
@@ -65,8 +63,7 @@ class Sharing {
   explicit Sharing(const World& world) : fleet_(world.fleet) {
     for (std::uint32_t slot = 0; slot < fleet_.size(); ++slot) {
       goals_.push_back(world.end_of(slot));
-      if (fleet_.conduct[slot].parked || fleet_.flight(slot) != nullptr) continue;
-      if (fleet_.heads_for_goal(slot)) slots_.push_back(slot);
+      if (rests_at_goal(fleet_, slot)) slots_.push_back(slot);
     }
     if (are_along_y(goals_))
       for (Vec2& goal : goals_) std::swap(goal.x, goal.y);
@@ -115,8 +112,8 @@ class Sharing {
     double largest = 0.0;  // m
     for (std::size_t k = 0; k < slots_.size(); ++k) largest = std::max(largest, radius(k));
     const auto overlap = [&](std::size_t a, std::size_t b) {
-      return norm(goal(a) - goal(b)) < (1.0 - kTouching) * (radius(a) + radius(b)) &&
-             hinder(conduct(a), conduct(b));
+      return leave_no_room(goal(a), radius(a), goal(b), radius(b)) &&
+             keep_apart(conduct(a), conduct(b));
     };
     for (std::size_t k = 0; k < slots_.size(); ++k) {
       if (!shares_.empty() && shares_[rank(k)] != Shares::nothing) continue;
@@ -152,6 +149,18 @@ bool stays_near(const World& world, std::size_t slot) {
 
 }  // namespace
 
+bool rests_at_goal(const Fleet& fleet, std::size_t slot) {
+  return !fleet.is_parked(slot) && fleet.flight(slot) == nullptr && fleet.heads_for_goal(slot);
+}
+
+bool keep_apart(const Conduct& a, const Conduct& b) {
+  return (a.avoids.bits & b.layers.bits) != 0 || (b.avoids.bits & a.layers.bits) != 0;
+}
+
+bool leave_no_room(Vec2 a, double radius_a, Vec2 b, double radius_b) {
+  return norm(a - b) < (1.0 - kTouching) * (radius_a + radius_b);
+}
+
 void find_shared_goals(World& world) {
   if (!world.has_new_goals) return;
   const std::vector<Conduct>& conduct = world.fleet.conduct;
@@ -159,12 +168,14 @@ void find_shared_goals(World& world) {
     return method_traits(own.method).has_rules;
   });
   world.shares_goal = is_minded ? Sharing(world).found() : std::vector<Shares>();
+  find_taken_goals(world);
   world.has_new_goals = false;
 }
 
 bool shares_room(const World& world, std::size_t slot) {
   if (world.shares_goal.empty()) return false;
-  return world.shares_goal[static_cast<std::size_t>(world.fleet.rank[slot])] != Shares::nothing;
+  const auto rank = static_cast<std::size_t>(world.fleet.rank[slot]);
+  return world.shares_goal[rank] != Shares::nothing || world.taken_goals.is_taken(rank);
 }
 
 Seeker seeker_of(const World& world, std::size_t slot, const Heading& heading, Vec2 lost) {

@@ -155,7 +155,7 @@ bool Simulation::decided(RobotId robot) const {
 
 bool Simulation::is_at_goal(RobotId robot) const {
   const std::size_t slot = state_->fleet.find(robot);
-  if (state_->fleet.conduct[slot].parked) return true;
+  if (state_->fleet.is_parked(slot)) return true;
   if (!state_->fleet.heads_for_goal(slot)) return false;
   if (const Flight* flight = state_->fleet.flight(slot)) return flight->has_arrived;
   const Vec2 p = place_now(*state_, slot), goal = state_->fleet.goal[slot];
@@ -185,7 +185,7 @@ Simulation::Route Simulation::route(RobotId robot) const {
   const Fleet& fleet = state_->fleet;
   const std::size_t slot = fleet.find(robot);
   const Vec2 p = place_now(*state_, slot), goal = fleet.goal[slot];
-  if (state_->travels.empty() || fleet.conduct[slot].parked) return {norm(goal - p), goal};
+  if (state_->travels.empty() || fleet.is_parked(slot)) return {norm(goal - p), goal};
   return rest_of_route(state_->travels[static_cast<std::size_t>(fleet.rank[slot])], p, goal);
 }
 

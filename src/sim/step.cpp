@@ -99,7 +99,7 @@ void assemble(World& world, Executor& executor) {
   if (world.changed) make_agenda(world);
   world.summary.is_fast = false;
   for (std::size_t slot = 0; slot < fleet.size() && !world.summary.is_fast; ++slot)
-    world.summary.is_fast = !fleet.conduct[slot].parked && world.is_fast(slot);
+    world.summary.is_fast = !fleet.is_parked(slot) && world.is_fast(slot);
 }
 
 void collect_due(World& world) {
@@ -181,6 +181,7 @@ void step(World& world) {
     step_together(world, executor);
   }
   go_around_resting(world);
+  note_resting(world);
   for (Worker& worker : world.workers) {
     fast = fast || worker.fast;
     worker.fast = false;

@@ -23,7 +23,7 @@ std::vector<Travel> plan_travels(std::span<Routes> routes, const Fleet& fleet,
     const std::size_t rank = travels.size();
     const Travel* known = before.empty() ? nullptr : &before[rank];
     travels.push_back(
-        fleet.conduct[slot].parked
+        fleet.is_parked(slot)
             ? Travel{}
             : plan_anew(routes[floor.empty() ? 0 : floor[rank]], fleet.traits[slot].route_radius,
                         fleet.position[slot], fleet.goal[slot],

@@ -83,7 +83,7 @@ void reserve(const World& world, Worker& worker) {
 void find_passages(World& world, std::size_t floor) {
   std::vector<double> radii;
   for (std::size_t slot = 0; slot < world.fleet.size(); ++slot) {
-    if (!world.fleet.conduct[slot].parked && world.floor_of(slot) == floor)
+    if (!world.fleet.is_parked(slot) && world.floor_of(slot) == floor)
       radii.push_back(world.fleet.traits[slot].route_radius);
   }
   std::sort(radii.begin(), radii.end());
@@ -165,7 +165,7 @@ void find_walls(World& world, std::size_t number) {
   const Fleet& fleet = world.fleet;
   WallNeeds needs;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    if (fleet.conduct[slot].parked || world.floor_of(slot) != number) continue;
+    if (fleet.is_parked(slot) || world.floor_of(slot) != number) continue;
     Robot robot = limits_of(fleet, slot);
     robot.velocity = fleet.velocity[slot];
     needs.include(robot, fleet.traits[slot], world.pace(slot).planner);

@@ -29,6 +29,7 @@
 #include "sim/sensing/outliers.h"
 #include "sim/sensing/senses.h"
 #include "sim/sensing/snapshot.h"
+#include "sim/taken_goals.h"
 
 namespace avo::inline sim {
 
@@ -135,6 +136,7 @@ struct World {
   bool changed = true;                     // robots came or went
   std::atomic<bool> has_new_goals = true;  // since find_shared_goals()
   std::vector<Shares> shares_goal;         // by rank; empty where no robots share anything
+  TakenGoals taken_goals;
   FleetSummary summary;
   double near = 0.0;  // m, typical of Fleet::range
   // the step at which the cells are chosen anew and the robots put in order

@@ -29,7 +29,7 @@ std::vector<avo::RobotSetup> robots() {
       .track = 0.5, .offset = 0.25, .wheel_speed = 1.5, .wheel_acceleration = 2.5};
   robots[3].position = {-12.0, 8.0}, robots[3].goal = {12.0, 6.0}, robots[3].radius = 0.7;
   robots[3].behavior = avo::Behavior::cooperates;
-  robots[4].position = robots[4].goal = {3.0, 7.0}, robots[4].parked = true;
+  robots[4].position = robots[4].goal = {3.0, 7.0}, robots[4].behavior = avo::Behavior::parked;
   robots[5].position = {8.0, 5.0}, robots[5].goal = {-8.0, 3.0};
   robots[5].max_braking = 0.8, robots[5].layers = {4}, robots[5].avoids = {0xff};
   return robots;

@@ -122,6 +122,14 @@ static void check_values(void) {
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
           "robots.1.max_braking: found nan");
   robots[1].max_braking = 0.0;
+  robots[1].unused = true; /* parked of earlier headers */
+  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
+          "robots.1.parked: found true, must be false: behavior is AVO_BEHAVIOR_PARKED");
+  robots[1].unused = false;
+  robots[1].behavior = 4;
+  REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
+          "robots.1.behavior: found 4, must be 0 to 3");
+  robots[1].behavior = AVO_BEHAVIOR_DECIDES;
   robots[1].model = 9;
   REFUSES(avo_create_simulation(&def, &simulation), AVO_ERROR_INVALID_VALUE,
           "robots.1.model: found 9, must be 0 to 3");

@@ -115,6 +115,85 @@ static void check_execution(void) {
   REQUIRE(avo_destroy_navigator(navigator));
 }
 
+/* The same base beside a planner, without a navigator. */
+static void check_tracker(void) {
+  const avo_execution_model model = {.time_constant = 0.2};
+  const avo_planner_def def = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_planner_id planner;
+  avo_reference_tracker_id tracker;
+  avo_robot body = avo_default_robot(), led = body;
+  avo_execution_error most;
+  avo_plan plan;
+  avo_base_command command;
+  body.preferred_velocity.x = 1.0;
+  REQUIRE(avo_create_planner(&def, &planner));
+  REQUIRE(avo_create_reference_tracker(&model, planner, &tracker));
+  REQUIRE(avo_reference_tracker_error(tracker, &body, &most));
+  REQUIRE(avo_reference_tracker_reference(tracker, &body, &led));
+  CHECK(led.radius == body.radius + most.position && led.preferred_velocity.x == 1.0);
+  REQUIRE(avo_planner_plan(planner, &led, NULL, 0, NULL, 0, NULL, &plan));
+  REQUIRE(avo_destroy_planner(planner));
+  REQUIRE(avo_reference_tracker_follow(tracker, &body, &plan, &command));
+  CHECK(command.next_velocity.x == plan.next_velocity.x);
+  CHECK(command.velocity.x > plan.next_velocity.x && !command.has_left);
+  body.position = command.next_reference, body.position.y = 0.5 * most.position;
+  REQUIRE(avo_reference_tracker_reference(tracker, &body, &led));
+  CHECK(led.position.y == command.next_reference.y);
+  REQUIRE(avo_reference_tracker_forget(tracker));
+  REQUIRE(avo_reference_tracker_reference(tracker, &body, &led));
+  CHECK(led.position.y == body.position.y);
+  REQUIRE(avo_destroy_reference_tracker(tracker));
+  CHECK(!avo_reference_tracker_is_valid(tracker));
+  REFUSES(avo_reference_tracker_forget(tracker), AVO_ERROR_INVALID_ID, "reference_tracker");
+}
+
+static avo_neighbor seen_of(const avo_robot* robot) {
+  avo_neighbor neighbor = avo_default_neighbor();
+  neighbor.position = robot->position, neighbor.velocity = robot->velocity;
+  return neighbor;
+}
+
+/* Robots meet at a passage of one lane: the second waits for the first. */
+static void check_wait(void) {
+  const avo_vec2 above[4] = {{-3.0, 10.0}, {-3.0, 0.8}, {3.0, 0.8}, {3.0, 10.0}};
+  const avo_vec2 below[4] = {{-3.0, -10.0}, {-3.0, -0.8}, {3.0, -0.8}, {3.0, -10.0}};
+  const avo_chain chains[2] = {{above, 4, false}, {below, 4, false}};
+  const avo_vec2 goals[2] = {{10.0, 3.0}, {-10.0, 3.0}};
+  const avo_planner_def planner = avo_default_planner_def(AVO_METHOD_AVO);
+  avo_obstacle_def walls = avo_default_obstacle_def();
+  avo_navigator_id navigators[2];
+  avo_robot robots[2];
+  avo_navigator_decision decisions[2] = {{.waits_for = -1}, {.waits_for = -1}};
+  avo_detour detour;
+  walls.chains = chains, walls.chain_count = 2;
+  for (int k = 0; k < 2; ++k) {
+    avo_navigator_def def = avo_default_navigator_def();
+    def.id = (uint64_t)k;
+    robots[k] = avo_default_robot();
+    robots[k].position.x = k == 0 ? -7.0 : 12.0;
+    REQUIRE(avo_create_navigator(&planner, &def, &walls, 1, &navigators[k]));
+    REQUIRE(avo_navigator_set_goal(navigators[k], goals[k], NAN, false));
+  }
+  for (int cycle = 0; cycle < 200 && decisions[1].waits_for < 0; ++cycle) {
+    const avo_neighbor seen[2] = {seen_of(&robots[1]), seen_of(&robots[0])};
+    for (int k = 0; k < 2; ++k)
+      REQUIRE(
+          avo_navigator_step(navigators[k], &robots[k], &seen[k], 1, 0.1 * cycle, &decisions[k]));
+    for (int k = 0; k < 2; ++k) {
+      const avo_vec2 next = decisions[k].plan.next_velocity;
+      robots[k].position.x += 0.05 * (robots[k].velocity.x + next.x);
+      robots[k].position.y += 0.05 * (robots[k].velocity.y + next.y);
+      robots[k].velocity = next;
+    }
+  }
+  CHECK(decisions[1].waits_for == 0 && !decisions[1].inside);
+  CHECK(fabs(decisions[1].passage.x) < 3.0 && fabs(decisions[1].passage.y) < 1e-9);
+  CHECK(fabs(decisions[1].a.y) == 0.8 && decisions[1].a.y == -decisions[1].b.y);
+  REQUIRE(avo_navigator_get_detour(navigators[1], &detour));
+  CHECK(!detour.has_arrived);
+  for (int k = 0; k < 2; ++k) REQUIRE(avo_destroy_navigator(navigators[k]));
+}
+
 static void check_drive_command(void) {
   const avo_execution_model exact = {0};
   const avo_vec2 aside = {0.0, 0.1};
@@ -147,6 +226,8 @@ int main(void) {
   check_routes();
   check_ranges();
   check_execution();
+  check_tracker();
+  check_wait();
   check_drive_command();
   check_refusals();
   return 0;

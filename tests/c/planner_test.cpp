@@ -220,7 +220,7 @@ void check_invalid_input() {
   neighbor.behavior = 5;
   plan.violation = 7.0;
   REFUSES(avo_planner_plan(planner, &robot, &neighbor, 1, nullptr, 0, nullptr, &plan),
-          AVO_ERROR_INVALID_VALUE, "neighbors.0.behavior: found 5, must be 0 to 2");
+          AVO_ERROR_INVALID_VALUE, "neighbors.0.behavior: found 5, must be 0 to 3");
   neighbor.size = 0;
   REFUSES(avo_planner_plan(planner, &robot, &neighbor, 1, nullptr, 0, nullptr, &plan),
           AVO_ERROR_INVALID_DEFINITION, "neighbors.0.size: found 0");

@@ -197,6 +197,28 @@ static void one_robot_evades_what_moves(void) {
   CHECK(plan.status == AVO_PLAN_INVALID_INPUT);
 }
 
+/* PX4 counts north, east and down, and packets of a Crazyflie have 16 bits for a number. */
+static void autopilots_take(avo_set_point point) {
+  avo_px4_set_point px4;
+  avo_crazyflie_set_point crazyflie;
+  point.position.y = 4.0, point.velocity.z = 0.5;
+  REQUIRE(avo_get_px4_set_point(point, 2.000001, &px4));
+  CHECK(px4.timestamp == 2000001 && px4.position[0] == 4.0F && px4.position[2] == -1.0F);
+  CHECK(px4.position[1] == (float)point.position.x && px4.velocity[2] == -0.5F);
+  CHECK(px4.acceleration[1] == (float)point.acceleration.x);
+  CHECK(isnan(px4.jerk[0]) && isnan(px4.jerk[2]) && isnan(px4.yaw) && isnan(px4.yawspeed));
+  REQUIRE(avo_get_crazyflie_set_point(point, &crazyflie));
+  CHECK(crazyflie.position[0] == (float)point.position.x && crazyflie.position[1] == 4.0F);
+  CHECK(crazyflie.velocity[2] == 0.5F && crazyflie.acceleration[0] == px4.acceleration[1]);
+  CHECK(crazyflie.orientation[0] == 0.0F && crazyflie.orientation[3] == 1.0F);
+  CHECK(crazyflie.roll_rate == 0.0F && crazyflie.yaw_rate == 0.0F);
+  point.position.x = 32.768;
+  REFUSES(avo_get_crazyflie_set_point(point, &crazyflie), AVO_ERROR_INVALID_VALUE,
+          "position.0: found 32.768, must be <= 32.767 m");
+  point.velocity.y = NAN;
+  REFUSES(avo_get_px4_set_point(point, 0.0, &px4), AVO_ERROR_INVALID_VALUE, "velocity.1");
+}
+
 static void set_points_are_one_delay_late(void) {
   const avo_quadrotor quadrotor = {1.2, 26.0, AVO_UNSET, 0.6, 0.12, AVO_UNSET};
   avo_quadrotor bad = quadrotor;
@@ -224,6 +246,7 @@ static void set_points_are_one_delay_late(void) {
   CHECK(fabs(point.position.x - 2.88 * 2.88) <= limits.deviation / 4.0 && point.position.z == 1.0);
   CHECK(fabs(point.acceleration.x - 2.0) < 1e-6);
   REFUSES(avo_filter_get_set_point(filter, end + 1.0, &point), AVO_ERROR_INVALID_VALUE, "time");
+  autopilots_take(point);
   REQUIRE(avo_destroy_filter(filter));
   CHECK(!avo_filter_is_valid(filter));
 }

@@ -147,6 +147,11 @@ static void check_formations(void) {
   CHECK(fabs(slots[0].x - 5.0) < 1e-12 && fabs(slots[0].y - 3.0) < 1e-12);
   REQUIRE(avo_assign_slots(starts, 3, slots, 3, chosen));
   CHECK(chosen[0] == 2 && chosen[1] == 1 && chosen[2] == 0);
+  REQUIRE(avo_place_slots(starts, 3, center, 1.5707963267948966, slots));
+  CHECK(fabs(slots[2].x - 1.0) < 1e-12 && fabs(slots[2].y - 1.0) < 1e-12);
+  REQUIRE(avo_place_slots(slots, 3, center, 0.0, slots));
+  CHECK(fabs(slots[2].x - 6.0) < 1e-12 && fabs(slots[2].y - 2.0) < 1e-12);
+  REFUSES(avo_place_slots(starts, 3, center, NAN, slots), AVO_ERROR_INVALID_VALUE, "heading");
   REFUSES(avo_assign_slots(starts, 3, slots, 2, chosen), AVO_ERROR_INVALID_VALUE, "at least 3");
   REFUSES(avo_formation_slots(9, 3, 2.0, center, 0.0, slots), AVO_ERROR_INVALID_VALUE, "0 to 4");
   REFUSES(avo_formation_slots(AVO_FORMATION_LINE, 3, 0.0, center, 0.0, slots),

@@ -40,7 +40,7 @@ static void define_robots(avo_robot_def robots[6]) {
   robots[3].radius = 0.7;
   robots[3].behavior = AVO_BEHAVIOR_COOPERATES;
   robots[4].position = robots[4].goal = at(3.0, 7.0);
-  robots[4].parked = true;
+  robots[4].behavior = AVO_BEHAVIOR_PARKED;
   robots[5].position = at(8.0, 5.0);
   robots[5].goal = at(-8.0, 3.0);
   robots[5].max_braking = 0.8;
@@ -184,7 +184,7 @@ static void check_definitions(avo_simulation_id simulation) {
   for (size_t k = 0; k < 6; ++k) {
     const avo_robot_id robot = {k + 1};
     REQUIRE(avo_simulation_get_robot_def(simulation, robot, &told));
-    CHECK(told.model == made[k].model && told.parked == made[k].parked);
+    CHECK(told.model == made[k].model && told.behavior == made[k].behavior);
     CHECK(told.radius == made[k].radius && told.max_speed == made[k].max_speed);
     CHECK(told.layers == made[k].layers && told.avoids == made[k].avoids);
     CHECK(told.priority == made[k].priority && told.max_braking == made[k].max_braking);

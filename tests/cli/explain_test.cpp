@@ -78,7 +78,7 @@ TEST(Explain, half_planes_are_those_of_the_sensed_neighbors) {
   EXPECT_EQ(json["acceleration_disc"]["radius"], 4.0) << "delta max_acceleration";
   EXPECT_EQ(point(json["acceleration_disc"]["center"]), perception.robot.velocity);
   EXPECT_EQ(json["speed_disc"]["radius"], 2.0);
-  EXPECT_EQ(json["rule"], "half_planes");
+  EXPECT_EQ(json["target_by"], "half_planes");
 }
 
 TEST(Explain, names_moving_obstacles) {
@@ -102,7 +102,7 @@ TEST(Explain, names_moving_obstacles) {
   // where the other robot is too far away there is nobody to share half-planes with
   words.back() = "sensing_radius=15";
   json = explained(words);
-  EXPECT_EQ(json["rule"], "union_of_obstacles");
+  EXPECT_EQ(json["target_by"], "union_of_obstacles");
   EXPECT_EQ(json["half_planes"], Json::array());
   ASSERT_EQ(json["neighbors"].size(), 1U);
 }
@@ -112,13 +112,13 @@ TEST(Explain, tells_methods_that_choose_outside_the_union_of_obstacles) {
     if (avo::is_external(method.method)) continue;
     const std::string set = std::string("method=") + avo::to_string(method.method);
     const Json json = explained({"circle-10", "--robot", "0", "--time", "0.1", "--set", set});
-    EXPECT_EQ(json["rule"], method.avoids_union ? "union_of_obstacles" : "half_planes") << set;
+    EXPECT_EQ(json["target_by"], method.avoids_union ? "union_of_obstacles" : "half_planes") << set;
   }
 }
 
 TEST(Explain, a_robot_alone_avoids_the_union_of_obstacles) {
   const Json json = explained({"moving-obstacle", "--robot", "0", "--time", "5"});
-  EXPECT_EQ(json["rule"], "union_of_obstacles");
+  EXPECT_EQ(json["target_by"], "union_of_obstacles");
   EXPECT_EQ(json["half_planes"], Json::array());
   EXPECT_EQ(json["neighbors"][0]["neighbor"], "moving_obstacles.0");
   avo::Simulation simulation = simulated(avo_io::load_scenario("moving-obstacle"), 50);

@@ -32,8 +32,8 @@ inline constexpr Types kTypes<bool>{"bool", "bool", "bool", "boolean"};
 template <>
 inline constexpr Types kTypes<avo::LayerSet>{"uint32_t", "_Layers", "Sequence[int]", "number[]"};
 template <>
-inline constexpr Types kTypes<avo::Behavior>{"avo_behavior", "_RobotBehavior", "_RobotBehavior",
-                                             R"("decides" | "cooperates" | "moves_on")"};
+inline constexpr Types kTypes<avo::Behavior>{"avo_behavior", "_Behavior", "_Behavior",
+                                             R"("decides" | "cooperates" | "moves_on" | "parked")"};
 template <>
 inline constexpr Types kTypes<std::optional<avo::Method>>{"int32_t", "_Method | None",
                                                           "_Method | None", "string"};

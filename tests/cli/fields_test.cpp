@@ -290,7 +290,7 @@ moving_obstacles:
   EXPECT_EQ(second.priority, 1.0);
   EXPECT_EQ(second.layers.bits, 1U);
   EXPECT_EQ(second.avoids.bits, 0xffffffffU);
-  EXPECT_FALSE(second.parked);
+  EXPECT_FALSE(is_parked(second));
   EXPECT_EQ(second.preferred_speed, 1.25) << "max_speed where it is left out";
   ASSERT_FALSE(is_holonomic(second.model));
   EXPECT_EQ(std::get<avo::Car>(second.model).wheelbase, 0.7);
@@ -315,6 +315,29 @@ TEST(Fields, of_robots_beside_movers_and_of_those_who_cooperate) {
   EXPECT_EQ(scenario.robots[0].behavior, avo::Behavior::cooperates);
   EXPECT_EQ(scenario.robots[1].behavior, avo::Behavior::decides);
   EXPECT_EQ(scenario.robots[3].behavior, avo::Behavior::cooperates);
+}
+
+TEST(Fields, parked_is_short_for_a_behavior) {
+  const std::string text =
+      "version: 1\nrobots:\n"
+      "  - {position: [0, 0], goal: [0, 0], parked: true}\n"
+      "  - {position: [0, 9], goal: [0, 9], behavior: parked}\n"
+      "  - {position: [0, 18], goal: [0, 18], behavior: parked, parked: true}\n"
+      "  - {position: [0, 27], goal: [0, 27], behavior: moves_on, parked: false}\n"
+      "groups:\n  - {number: 2, parked: true, placement: {line: {from: [9, 0], to: [9, 9]}}, "
+      "goals: "
+      "{offset: {by: [0, 0]}}}\n";
+  const auto behaviors = [&](const std::vector<std::string>& overrides) {
+    std::string words;
+    for (const avo::RobotSetup& robot : avo_io::parse_scenario(text, "f", overrides).robots)
+      words += std::string(to_string(robot.behavior)) + " ";
+    return words;
+  };
+  EXPECT_EQ(behaviors({}), "parked parked parked moves_on parked parked ");
+  EXPECT_EQ(behaviors({"robots.0.parked=false", "robots.4.parked=false"}),
+            "decides parked parked moves_on decides parked ");
+  EXPECT_EQ(behaviors({"robots.5.behavior=cooperates", "groups.0.parked=false"}),
+            "parked parked parked moves_on decides cooperates ");
 }
 
 TEST(Fields, how_gently_robots_move_is_of_method_avo_alone) {

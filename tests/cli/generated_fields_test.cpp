@@ -62,9 +62,6 @@ std::string in_python(double number) {
   const std::string text = fmt::format("{}", number);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
-std::string in_python(bool is) {
-  return is ? "True" : "False";
-}
 std::string in_python(avo::Vec2 v) {
   return fmt::format("({}, {})", in_python(v.x), in_python(v.y));
 }
@@ -118,9 +115,6 @@ Lines members_of_script() {
 
 std::string in_words(double number) {
   return fmt::format("{}", number);
-}
-std::string in_words(bool is) {
-  return is ? "`true`" : "`false`";
 }
 std::string in_words(avo::Vec2 v) {
   return fmt::format("[{}, {}]", v.x, v.y);

@@ -97,12 +97,97 @@ TEST(ForeignMotion, is_refused_where_it_is_not_of_the_scene) {
     EXPECT_FALSE(exists(h5));
     return result.err;
   };
-  EXPECT_NE(refused({}).find("--scene: found none, must be given with --to recording"),
-            std::string::npos);
+  EXPECT_NE(refused({}).find("time_step: found 70, must be <= time_horizon"), std::string::npos);
   EXPECT_NE(refused({"--scene", "circle-3"}).find("another name than avo's own"),
             std::string::npos);
   EXPECT_NE(refused({"--scene", "circle-3", "--name", "rvo", "--set", "duration=60"})
                 .find("found 70 s, must be <= 60 s, the duration of the scene"),
+            std::string::npos);
+}
+
+// Two people, of whom one comes later and one goes earlier, with numbers of their own.
+std::string people(const std::string& name) {
+  const std::string csv = path_of(name);
+  write_file(csv,
+             "time,robot,x,y,vx,vy\n"
+             "10,7,0,0,1,0\n10.5,7,0.5,0,1,0\n10.5,40,9,5,0,0\n11,7,1,0.0625,1,0.25\n"
+             "11,40,9,5,0,0\n11.5,7,1.5,0.1875,1,0.25\n11.5,40,9,5,0,0\n12,40,9,5,0,0\n");
+  return csv;
+}
+
+TEST(ForeignMotion, makes_a_scene_of_its_own_where_there_is_none) {
+  const std::string csv = people("people.csv"), h5 = path_of("people.h5");
+  const ProcessResult made = run_avo({"convert", csv, h5, "--to", "recording"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.err,
+            "warning: the robots are made of the motion: the first place, the last one as goal, "
+            "the largest speed and acceleration; radius 0.3 m (--radius), robot 0 is 7 there, "
+            "robot 1 is 40, 0 s is 10 s there; nobody knows of walls, --scene gives them\n");
+  ASSERT_EQ(run_avo({"convert", h5, path_of("back.csv")}).exit_code, 0);
+  EXPECT_EQ(read_file(path_of("back.csv")),
+            "time,robot,x,y,vx,vy\n"
+            "0,0,0,0,1,0\n0.5,0,0.5,0,1,0\n0.5,1,9,5,0,0\n1,0,1,0.0625,1,0.25\n1,1,9,5,0,0\n"
+            "1.5,0,1.5,0.1875,1,0.25\n1.5,1,9,5,0,0\n2,1,9,5,0,0\n");
+  const ProcessResult judged = run_avo({"check", h5});
+  EXPECT_NE(judged.out.find("largest 0.5 m/s^2"), std::string::npos) << judged.out;
+  EXPECT_NE(judged.out.find("0 robot-steps beyond the limit"), std::string::npos) << judged.out;
+  EXPECT_NE(judged.out.find("2 of 2"), std::string::npos) << judged.out;
+}
+
+TEST(ForeignMotion, enters_reports_and_comparisons_without_a_scene) {
+  const std::string csv = people("people.csv"), h5 = path_of("people.h5"), page = path_of("p.html");
+  ASSERT_EQ(run_avo({"convert", csv, h5, "--to", "recording", "--radius", "0.2", "--set", "seed=7"})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_avo({"report", h5, page}).exit_code, 0);
+  const std::string text = read_file(page);
+  for (const char* part : {"2 robots, method people", "avo convert MOTION", "goal: [1.5, 0.1875]",
+                           "radius: 0.2", "start_time: 0.5", "max_acceleration: 0.5",
+                           "time_step: 0.5", "duration: 2", "--set seed=7"})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  EXPECT_EQ(text.find("avo run people"), std::string::npos);
+  const std::string other = path_of("avo.h5");
+  ASSERT_EQ(run_avo({"run", "circle-3", "--duration", "2", "--record", other}).exit_code, 0);
+  const ProcessResult compared = run_avo({"compare", h5, other, "--arrival", path_of("a.svg")});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_NE(compared.out.find("2 of 2"), std::string::npos) << compared.out;
+}
+
+TEST(ForeignMotion, takes_walls_from_a_scene_without_robots) {
+  const std::string csv = people("people.csv"), h5 = path_of("people.h5"),
+                    walls = path_of("walls.yaml");
+  write_file(walls, "version: 1\nobstacles:\n  - {polyline: [[-5, 6], [20, 6]]}\n");
+  const Strings words{"convert", csv, h5, "--to", "recording", "--scene", walls};
+  const ProcessResult made = run_avo(words);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.err.find("walls, --scene"), std::string::npos) << made.err;
+  const ProcessResult judged = run_avo({"check", h5});
+  EXPECT_NE(judged.out.find("from obstacles   0.7 m"), std::string::npos) << judged.out;
+  write_file(walls, "{version: 1, obstacles: [{polyline: [[-5, 6], [20, 6]]}]}");
+  const ProcessResult refused = run_avo(words);
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_NE(refused.err.find("found a scene in braces"), std::string::npos) << refused.err;
+}
+
+TEST(ForeignMotion, without_a_scene_is_refused_where_none_can_be_made) {
+  const std::string csv = people("people.csv"), h5 = path_of("people.h5"), out = path_of("o.h5");
+  ASSERT_EQ(run_avo({"convert", csv, h5, "--to", "recording"}).exit_code, 0);
+  const auto refused = [&](const std::string& input, Strings more) {
+    more.insert(more.begin(), {"convert", input, out, "--to", "recording"});
+    const ProcessResult result = run_avo(more);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_FALSE(exists(out));
+    return result.err;
+  };
+  EXPECT_NE(refused(h5, {}).find("is a recording with a scene of its own"), std::string::npos);
+  EXPECT_NE(refused("-", {}).find("found the standard input, must be a file"), std::string::npos);
+  EXPECT_NE(refused(csv, {"--radius", "0"}).find("--radius: found 0, must be > 0 m and finite"),
+            std::string::npos);
+  EXPECT_NE(refused(csv, {"--scene", "circle-3", "--radius", "1"})
+                .find("--radius: found with robots in --scene, must be without them"),
+            std::string::npos);
+  EXPECT_NE(run_avo({"convert", csv, path_of("o.csv"), "--radius", "1"})
+                .err.find("--radius: found without --to recording, must be with it"),
             std::string::npos);
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes of quadrotors on the command line: their limits, the judge, set points, what is refused.
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "avo/space/quadrotor.h"
 #include "avo/space/simulation.h"
@@ -124,6 +128,88 @@ TEST(QuadrotorScenes, convert_writes_the_set_points_of_the_filter) {
       ASSERT_LT(norm(a - point.acceleration), 1e-6) << lines[row];
     }
   }
+}
+
+// Columns of the file by their names in its header.
+std::vector<std::map<std::string, double>> rows_of(const std::string& file) {
+  const std::vector<std::string> lines = lines_of(read_file(file));
+  const auto split = [](const std::string& line) {
+    std::vector<std::string> words(1);
+    for (const char c : line) c == ',' ? void(words.emplace_back()) : words.back().push_back(c);
+    return words;
+  };
+  const std::vector<std::string> names = split(lines.at(0));
+  std::vector<std::map<std::string, double>> rows;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    const std::vector<std::string> words = split(lines[k]);
+    EXPECT_EQ(words.size(), names.size()) << lines[k];
+    rows.emplace_back();
+    for (std::size_t j = 0; j < names.size(); ++j) rows.back()[names[j]] = std::stod(words.at(j));
+  }
+  return rows;
+}
+
+TEST(QuadrotorScenes, convert_writes_set_points_in_the_frames_of_autopilots) {
+  const std::string scene = path_of("drones.yaml"), csv = path_of("drones.csv"),
+                    points = path_of("points.csv");
+  write_file(scene, kQuadrotors);
+  ASSERT_EQ(run_avo({"run", scene, "--record", csv}).exit_code, 0);
+  const auto rows_for = [&](const std::vector<std::string>& autopilot) {
+    std::vector<std::string> line{"convert", csv, points, "--to", "set-points", "--scene", scene};
+    line.insert(line.end(), autopilot.begin(), autopilot.end());
+    const ProcessResult converted = run_avo(line);
+    EXPECT_EQ(converted.exit_code, 0) << converted.err;
+    return rows_of(points);
+  };
+  const auto any = rows_for({}), px4 = rows_for({"--autopilot", "px4"}),
+             crazyflie = rows_for({"--autopilot", "crazyflie"});
+  ASSERT_EQ(any.size(), 151U * 5U);
+  ASSERT_EQ(px4.size(), any.size());
+  ASSERT_EQ(crazyflie.size(), any.size());
+  for (std::size_t k = 0; k < any.size(); ++k) {
+    SCOPED_TRACE(k);
+    const auto from = [&](const char* name) { return static_cast<float>(any[k].at(name)); };
+    const auto is = [&](const char* name) { return static_cast<float>(px4[k].at(name)); };
+    ASSERT_EQ(px4[k].at("timestamp"), std::round(1e6 * any[k].at("time")));
+    ASSERT_EQ(px4[k].at("robot"), any[k].at("robot"));
+    ASSERT_EQ(is("position[0]"), from("y"));
+    ASSERT_EQ(is("position[1]"), from("x"));
+    ASSERT_EQ(is("position[2]"), -from("z"));
+    ASSERT_EQ(is("velocity[0]"), from("vy"));
+    ASSERT_EQ(is("velocity[2]"), -from("vz"));
+    ASSERT_EQ(is("acceleration[1]"), from("ax"));
+    ASSERT_EQ(is("acceleration[2]"), -from("az"));
+    ASSERT_TRUE(std::isnan(px4[k].at("yaw")) && std::isnan(px4[k].at("jerk[1]")));
+    for (const auto& [name, value] : any[k])
+      ASSERT_EQ(static_cast<float>(crazyflie[k].at(name)), static_cast<float>(value)) << name;
+    ASSERT_EQ(crazyflie[k].at("qw"), 1.0);
+    ASSERT_EQ(crazyflie[k].at("yawrate"), 0.0);
+  }
+}
+
+TEST(QuadrotorScenes, convert_refuses_what_an_autopilot_cannot_take) {
+  const std::string scene = path_of("drones.yaml"), csv = path_of("drones.csv"),
+                    points = path_of("points.csv");
+  write_file(
+      scene,
+      "version: 1\nspace: 3\nrobots:\n  - {position: [40, 0, 0], goal: [40, 0, 0], quadrotor: "
+      "{mass: 1, max_thrust: 20, max_tilt: 0.5, attitude_time: 0.1}}\n");
+  write_file(csv, "time,robot,x,y,z,vx,vy,vz\n0,0,40,0,0,0,0,0\n0.1,0,40,0,0,0,0,0\n");
+  const auto error = [&](const std::string& autopilot) {
+    return run_avo({"convert", csv, points, "--to", "set-points", "--scene", scene, "--autopilot",
+                    autopilot})
+        .err;
+  };
+  EXPECT_EQ(error("px4"), "");
+  std::filesystem::remove(points);
+  EXPECT_THAT(error("crazyflie"),
+              HasSubstr("robot 0 at 0 s: position.0: found 40, must be <= 32.767 m"));
+  EXPECT_FALSE(std::filesystem::exists(points));
+  EXPECT_THAT(
+      error("px"),
+      HasSubstr("--autopilot: found px, did you mean \"px4\"? Must be one of px4, crazyflie"));
+  EXPECT_THAT(run_avo({"convert", csv, points, "--autopilot", "px4"}).err,
+              HasSubstr("--autopilot: found without --to set-points"));
 }
 
 TEST(QuadrotorScenes, convert_refuses_what_gives_no_set_points) {

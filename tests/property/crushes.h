@@ -37,7 +37,7 @@ inline Check judge_of(const Scenario& scene) {
   for (const RobotSetup& setup : scene.robots) {
     robots.push_back(checked_robot(setup));
     robots.back().interpolation_error = interpolation_error(scene, setup);
-    if (scene.clock == Clock::free && !setup.parked)
+    if (scene.clock == Clock::free && !is_parked(setup))
       robots.back().time_step = time_step_of(scene, setup);
   }
   std::vector<CheckedMover> people;

@@ -75,7 +75,7 @@ RobotSetup on_its_way(Random& random, Vec2 around, double time_step) {
 // As near to the straight way as `part` of the margin allows: beside it, or before or behind it.
 RobotSetup parked_beside(const RobotSetup& robot, Random& random, double time_step, double part) {
   RobotSetup parked;
-  parked.parked = true;
+  parked.behavior = Behavior::parked;
   parked.radius = random.log_uniform(0.05, 3.0);
   const Vec2 way = robot.goal - robot.position, along = way / norm(way);
   const double at = random.uniform(-0.2, 1.2), quarter = 0.5 * std::numbers::pi;
@@ -151,7 +151,7 @@ TEST(Unhindered, between_two_as_far_aside_a_robot_heads_for_its_very_goal) {
     Simulation alone(scene);
     const RobotSetup robot = scene.robots[0];
     RobotSetup parked = robot;
-    parked.parked = true, parked.max_braking = {};
+    parked.behavior = Behavior::parked, parked.max_braking = {};
     const Vec2 way = robot.goal - robot.position, aside = perpendicular(way / norm(way));
     const Vec2 middle = robot.position + random.uniform(0.2, 0.8) * way;
     for (const double side : {-1.0, 1.0}) {

@@ -40,7 +40,8 @@ def test_robots_change_and_are_led():
     ({"speed": 1}, TypeError, 'RobotSetup: found "speed", must be one of'),
     ({"max_sped": 1}, TypeError, 'did you mean "max_speed"?'),
     ({"max_speed": "fast"}, TypeError, "RobotSetup: max_speed: found 'fast', must be of another type"),
-    ({"parked": True, "layers": [1]}, avo.Error, "robot 1: layers: found [1], must be left out"),
+    ({"behavior": "parked", "layers": [1]}, avo.Error, "robot 1: layers: found [1], must be left out"),
+    ({"parked": True}, TypeError, 'RobotSetup: found "parked", must be behavior="parked"'),
     ({"model": avo.Car()}, avo.Error, "robot 1: model: found another one, must be the one that it has"),
 ])
 def test_changes_that_are_refused_change_nothing(change, error, message):
@@ -68,7 +69,8 @@ def test_many_at_once():
     assert simulation.goal().tolist()[2] == [0, 19]
     simulation.set_preferred_velocities([0, 2], [[1, 0], [0.5, 0.5]])
     new = [avo.RobotSetup(position=(50 + 3 * k, 0), goal=(50, 9)) for k in range(2)]
-    assert simulation.add_robots(new) == [4, 5]
+    roster = simulation.roster
+    assert simulation.add_robots(new) == [4, 5] and simulation.roster != roster
     before = simulation.save()
     with pytest.raises(avo.Error, match="robot 6"):
         simulation.add_robots(new)
@@ -91,10 +93,12 @@ def test_floors_and_parked_robots():
     simulation.change_robot(robot, layers=[1], avoids=[1])
     assert list(simulation.setup(0).layers) == [1]
     simulation.change_robot(robot, layers=[0], avoids=range(32))
-    simulation.change_robot(robot, parked=True)
+    simulation.change_robot(robot, behavior="parked")
+    with pytest.raises(AttributeError, match="RobotSetup.parked: found a renamed attribute, must be behavior"):
+        simulation.setup(robot).parked
     with pytest.raises(avo.Error, match=f"robot {robot}: found a goal for it, must be one that is not parked"):
         simulation.set_goal(robot, (0, 0))
-    simulation.change_robot(robot, parked=False, behavior="moves_on")
+    simulation.change_robot(robot, behavior="moves_on")
     assert simulation.setup(0).behavior == "moves_on"
 
 

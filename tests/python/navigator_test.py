@@ -27,10 +27,13 @@ def test_it_goes_around_a_wall_to_its_goal():
     assert navigator.step(robot, time=0.0).status == "idle"
     navigator.set_goal((8, 0))
     first = navigator.step(robot, time=0.0)
-    assert first.status == "under_way" and first.guide == "route" and first.waits_for is None
+    assert first.status == "under_way" and first.guide == "route" and first.wait is None
     assert first.route_left > 10 and first.stopping_distance == 0 and first.distance_left == 0
     assert navigator.route()[-1] == (8, 0) and abs(navigator.route()[0][1]) > 3
     assert navigator.explain(robot).startswith("Robot 0 starts:")
+    assert navigator.detour.has_arrived is False and navigator.planner.method == "avo"
+    with pytest.raises(AttributeError, match="must be wait, whose neighbor is the same"):
+        first.waits_for
     decisions = drive(navigator, robot)
     assert decisions[-1].status == "reached" and len(decisions) < 120
     assert math.dist(robot.position, (8, 0)) < 0.5
@@ -102,3 +105,26 @@ def test_a_reference_is_kept_beside_plan():
     assert tracker.reference(body).position == command.next_reference
     tracker.forget()
     assert tracker.reference(body).position == body.position
+
+
+def test_a_robot_waits_for_another_at_a_passage():
+    sides = [avo.StaticObstacle([avo.Chain([(-3, y), (3, y)])]) for y in (-0.8, 0.8)] + \
+        [avo.StaticObstacle([avo.Chain([(x, y), (x, 12 * y)])]) for x in (-3, 3) for y in (-0.8, 0.8)]
+    ways = [((-7, 0), (10, 3)), ((12, 0), (-10, 3))]
+    navigators = [avo.Navigator(obstacles=sides, id=k) for k in range(2)]
+    bodies = [avo.Robot(position=start) for start, _ in ways]
+    for navigator, (_, goal) in zip(navigators, ways):
+        navigator.set_goal(goal)
+    for cycle in range(200):
+        others = [avo.Neighbor(position=body.position, velocity=body.velocity) for body in reversed(bodies)]
+        decisions = [navigator.step(body, [other], time=0.1 * cycle)
+                     for navigator, body, other in zip(navigators, bodies, others)]
+        if decisions[1].wait:
+            break
+        for body, decision in zip(bodies, decisions):
+            body.velocity, before = decision.plan.next_velocity, body.velocity
+            body.position = [x + 0.05 * (v + w) for x, v, w in zip(body.position, before, body.velocity)]
+    wait = decisions[1].wait
+    assert wait.neighbor == 0 and not wait.inside and decisions[1].guide == "passage"
+    assert wait.passage[1] == pytest.approx(0) and abs(wait.passage[0]) < 3
+    assert sorted(side[1] for side in (wait.a, wait.b)) == pytest.approx([-0.8, 0.8])

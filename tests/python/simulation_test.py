@@ -156,16 +156,33 @@ def test_doors_close_and_open():
     door = simulation.add_obstacle(cage)
     assert simulation.unreachable() == [0]
     assert 1.5 < simulation.distance_left(0) < 3.0 and simulation.wait(0) is None
-    assert simulation.route(0)[0] == float("inf")
+    assert simulation.route(0).length == float("inf")
+    assert simulation.route(0).distance_left == simulation.distance_left(0)
     assert [(i, o.fill, len(o.chains)) for i, o in simulation.obstacles()] == [(door, "none", 1)]
     simulation.remove_obstacle(door)
     assert simulation.unreachable() == [] and simulation.obstacles() == []
-    length, point = simulation.route(0)
-    assert length == pytest.approx(np.linalg.norm(simulation.position()[0])) and point == (0, 0)
+    route = simulation.route(0)
+    assert route.length == pytest.approx(np.linalg.norm(simulation.position()[0]))
+    assert route.next == (0, 0) and route.distance_left == 0 and not simulation.is_at_goal(0)
     simulation.set_goal(0, goal)
     while not simulation.all_at_goal():
         simulation.step()
-    assert simulation.at_goal().dtype == bool and simulation.at_goal().all()
+    assert simulation.at_goal().dtype == bool and simulation.at_goal().all() and simulation.is_at_goal(0)
+
+
+def test_a_robot_waits_for_another_at_a_passage():
+    sides = [{"polyline": [[-3, y], [3, y]]} for y in (-0.8, 0.8)] + \
+        [{"polyline": [[x, y], [x, 12 * y]]} for x in (-3, 3) for y in (-0.8, 0.8)]
+    simulation = avo.Simulation({"version": 1, "obstacles": sides, "robots": [
+        {"position": [-7, 0], "goal": [10, 3]}, {"position": [12, 0], "goal": [-10, 3]}]})
+    while simulation.wait(1) is None:
+        assert simulation.can_step_by(20) and simulation.wait(0) is None
+        simulation.step()
+    wait = simulation.wait(1)
+    assert wait.robot == 0 and not wait.inside and abs(wait.passage[0]) < 3
+    assert sorted(side[1] for side in (wait.a, wait.b)) == pytest.approx([-0.8, 0.8])
+    seen = simulation.perceive(1)
+    assert seen.wait.robot == 0 and seen.guide == "passage"
 
 
 @pytest.mark.parametrize("act, message", [
@@ -196,6 +213,7 @@ def test_moving_obstacles_move():
     start = simulation.moving_obstacle_position()
     simulation.step(10)
     assert start.shape == (len(simulation.moving_obstacles()), 2)
+    assert simulation.moving_obstacle_next_point() == [0] * len(start)
     assert np.allclose(simulation.moving_obstacle_position(), start + simulation.moving_obstacle_velocity())
 
 

@@ -240,9 +240,10 @@ def test_goals_out_of_reach_are_told():
     simulation = avo.space.Simulation(scene)
     assert simulation.unreachable() == [1] and simulation.distance_left(0) == 0.0
     assert simulation.distance_left(1) == pytest.approx(one["distance_left"], abs=1e-6)
-    length, point = simulation.route(0)
-    assert length == pytest.approx(5 ** 0.5) and point == (2, 0, 1)
-    assert simulation.route(1)[0] == float("inf")
+    route = simulation.route(0)
+    assert route.length == pytest.approx(5 ** 0.5) and route.next == (2, 0, 1) and route.distance_left == 0
+    assert simulation.route(1).length == float("inf") and not simulation.is_at_goal(1)
+    assert simulation.route(1).distance_left == simulation.distance_left(1)
     for of_robot in simulation.distance_left, simulation.route:
         with pytest.raises(avo.Error, match="robot: found 2, must be 0 to 1"):
             of_robot(2)
@@ -309,6 +310,16 @@ def test_set_points_follow_the_reference_one_delay_late():
     assert late.acceleration == pytest.approx((2, 0, 0), abs=1e-6)
     with pytest.raises(avo.Error):
         avo.space.Quadrotor(max_tilt=2.0)
+
+    px4 = avo.space.px4_set_point(late, 1.5)  # along x, which is east
+    assert px4.timestamp == 1_500_000 and px4.position == pytest.approx((0, late.position[0], -1))
+    assert px4.velocity[1] == pytest.approx(late.velocity[0]) and px4.acceleration[1] == pytest.approx(2)
+    assert np.isnan((*px4.jerk, px4.yaw, px4.yawspeed)).all()
+    crazyflie = avo.space.crazyflie_set_point(late)
+    assert crazyflie.position == pytest.approx(late.position) and crazyflie.orientation == (0, 0, 0, 1)
+    assert (crazyflie.roll_rate, crazyflie.pitch_rate, crazyflie.yaw_rate) == (0, 0, 0)
+    with pytest.raises(avo.Error, match="time: found -1, must be >= 0 s"):
+        avo.space.px4_set_point(late, -1)
 
 
 def test_worlds_for_learning_keep_drones_apart_whatever_the_actions_are(scene):

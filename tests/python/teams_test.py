@@ -78,6 +78,7 @@ def test_a_robot_is_in_a_team_once():
 def test_formations():
     slots = avo.formation_slots("wedge", 5, 1.5, center=(4, 0), heading=np.pi / 2)
     assert slots.shape == (5, 2) and np.allclose(slots.mean(axis=0), (4, 0))
+    assert np.allclose(avo.place_slots([(1, 0), (0, 2)], (4, 0), np.pi / 2), [(4, 1), (2, 0)])
     assert avo.assign_slots([(0, 0), (0, 2)], [(5, 2), (5, 0)]) == [1, 0]
     simulation = avo.Simulation("circle-10")
     simulation.form_up(range(10), avo.formation_slots("block", 10, 2.0))

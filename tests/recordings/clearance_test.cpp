@@ -21,7 +21,7 @@ std::vector<float> by_all_pairs(const Scenario& scenario) {
     for (const RobotSetup& b : scenario.robots) {
       const bool by_layers =
           (a.avoids.bits & b.layers.bits) != 0 && (b.avoids.bits & a.layers.bits) != 0;
-      const bool both = a.parked != b.parked || (!a.parked && by_layers);
+      const bool both = is_parked(a) != is_parked(b) || (!is_parked(a) && by_layers);
       if (&a == &b || !both || std::isnan(b.position.x)) continue;
       least =
           std::min(least, norm(disc_center(a) - disc_center(b)) - disc_radius(a) - disc_radius(b));
@@ -71,7 +71,7 @@ TEST(Clearance, is_that_of_all_pairs) {
       robot.position = {number(-width, width), number(-height, height)};
       robot.radius = number(0.1, k % 9 == 0 ? 8.0 : 1.0);
       robot.heading = number(-3.0, 3.0);
-      robot.parked = random() % 4 == 0;
+      if (random() % 4 == 0) robot.behavior = Behavior::parked;
       if (random() % 3 == 0) robot.layers = {1U << (random() % 3)};
       if (random() % 5 == 0) robot.avoids = {1U << (random() % 3)};
       if (random() % 6 == 0) robot.model = DifferentialDrive{};

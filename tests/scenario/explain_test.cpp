@@ -66,7 +66,7 @@ std::vector<avo::RobotId> some_of(const Simulation& simulation, std::size_t most
   const auto ids = simulation.fleet(avo::Columns::id).id;
   const std::size_t step = std::max<std::size_t>(ids.size() / most, 1);
   for (std::size_t i = 0; i < ids.size(); i += step)
-    if (!simulation.setup(ids[i]).parked) some.push_back(ids[i]);
+    if (!is_parked(simulation.setup(ids[i]))) some.push_back(ids[i]);
   return some;
 }
 

@@ -58,14 +58,22 @@ const std::vector<BadScene>& bad_scenes() {
        "3:46: robots.0.layers: found 1, must be a list"},
       {"behavior_unknown",
        s("version: 1\nrobots:\n  - {position: [0, 0], goal: [1, 0], behavior: brakes}\n"),
-       "3:48: robots.0.behavior: found \"brakes\", must be one of decides, cooperates, moves_on"},
+       "3:48: robots.0.behavior: found \"brakes\", must be one of decides, cooperates, moves_on, "
+       "parked"},
       {"obstacle_layer_too_high",
        s("version: 1\nobstacles:\n  - {polyline: [[0, 0], [1, 0]], layers: [0, 32]}\n"),
        "3:46: obstacles.0.layers.1: found 32, must be <= 31"},
       {"behavior_parked",
        s("version: 1\nrobots:\n"
          "  - {position: [0, 0], goal: [0, 0], parked: true, behavior: cooperates}\n"),
-       "3:62: robots.0.behavior: found cooperates, must be left out: it is parked"},
+       "3:46: robots.0.parked: found true, must be left out beside behavior: cooperates"},
+      {"parked_and_not",
+       s("version: 1\nrobots:\n"
+         "  - {position: [0, 0], goal: [0, 0], parked: false, behavior: parked}\n"),
+       "3:46: robots.0.parked: found false, must be left out beside behavior: parked"},
+      {"parked_a_word",
+       s("version: 1\nrobots:\n  - {position: [0, 0], goal: [0, 0], parked: maybe}\n"),
+       "3:46: robots.0.parked: found \"maybe\", must be true or false"},
       {"never_swerves_of_orca",
        s("version: 1\nmethod: orca\nrobots:\n  - {position: [0, 0], goal: [1, 0]}\n"
          "never_swerves: true\n"),

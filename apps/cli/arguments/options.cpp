@@ -193,8 +193,14 @@ void add_convert(CLI::App& app, Action& action) {
                              "with --to recording: of the method that made the motion; without it "
                              "the file's name"))
       ->type_name("NAME");
+  verb->add_option("--radius", arguments.radius,
+                   "with --to recording: m, of robots that --scene does not have; 0.3")
+      ->type_name("M");
   verb->add_option("--rate", arguments.rate, "with --to set-points: so many a second; 50")
       ->type_name("HZ");
+  not_empty(verb->add_option("--autopilot", arguments.autopilot,
+                             "with --to set-points: px4 or crazyflie, in its frame and columns"))
+      ->type_name("AUTOPILOT");
   not_empty(verb->add_option("--scene", arguments.scene.scene, kScene))->type_name("SCENE");
   add_overrides(*verb, arguments.scene);
   add_volume(*verb);

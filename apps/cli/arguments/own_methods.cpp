@@ -119,7 +119,7 @@ namespace {
 const char* what_differs(const avo_io::OwnMethod& own, const avo::Scenario& recorded) {
   for (const avo::RobotSetup& robot : recorded.robots) {
     const avo::Method method = method_of(recorded, robot);
-    if (robot.parked || !is_external(method)) continue;
+    if (is_parked(robot) || !is_external(method)) continue;
     if (!own.clamped && method == avo::Method::external_clamped) return "unclamped";
     if (own.certified && certificate_of(recorded, robot) == avo::Certificate::none)
       return "certified";

@@ -79,7 +79,7 @@ std::string drawing_of(const avo_io::RecordedRun& run, std::size_t views) {
   svg += "</g>\n<g>\n";
   const std::vector<figures::Color> colors = figures::robot_colors(scenario, views);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i)
-    if (!scenario.robots[i].parked)
+    if (!is_parked(scenario.robots[i]))
       svg += fmt::format("<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\" fill=\"{}\"/>\n",
                          scenario.robots[i].goal.x, scenario.robots[i].goal.y, 2.0 * hair,
                          word_of(colors[i]));

@@ -35,7 +35,7 @@ std::string response_times(const avo::Scenario& scenario, avo::PlannerOptions op
   if (!(options.response_time > 0.0) && !options.comfort_jerk) return "0: at once";
   double least = 0.0, most = 0.0;
   for (const avo::RobotSetup& robot : scenario.robots) {
-    if (robot.parked || !can_rest(robot.model)) continue;
+    if (is_parked(robot) || !can_rest(robot.model)) continue;
     options.time_step = time_step_of(scenario, robot);
     const double own = avo::response_time_of(options, robot.max_speed, robot.max_acceleration);
     least = least > 0.0 ? std::min(least, own) : own;
@@ -67,8 +67,7 @@ void tell_settings(const SceneArguments& arguments, const avo::Scenario& scenari
   for (const avo_io::SceneFile& file : source.files)
     if (!file.builtin) tell("file", file.path);
   for (const std::string& override : arguments.overrides) tell("set", override);
-  const auto parked = std::count_if(scenario.robots.begin(), scenario.robots.end(),
-                                    [](const avo::RobotSetup& robot) { return robot.parked; });
+  const auto parked = std::count_if(scenario.robots.begin(), scenario.robots.end(), avo::is_parked);
   tell("robots", fmt::format("{}, {} of them parked", scenario.robots.size(), parked));
   tell("obstacles",
        fmt::format("{} moving, {} static of {} walls", scenario.moving_obstacles.size(),

@@ -3,6 +3,7 @@
 #include "avo_io/convert.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -73,28 +74,72 @@ ExportFormat format_of(const ConvertArguments& arguments) {
                   arguments.output, avo_io::printable(ending, kLongestWord)));
 }
 
-/// The scene of --scene for a recording of another program. Its robots have a method of their own,
+/// Changes to a scene for a recording of another program. Its robots have a method of their own,
 /// which cannot be asked again. --set may still change it.
-SceneArguments by_another_method(const ConvertArguments& arguments) {
-  SceneArguments scene = arguments.scene;
-  if (scene.scene.empty())
-    throw UsageError("--scene: found none, must be given with --to recording");
+std::vector<std::string> of_another_method(const ConvertArguments& arguments) {
   const std::string stem = std::filesystem::path(arguments.recording).stem().string();
   const avo_io::OwnMethod method{.name = arguments.name.empty() ? stem : arguments.name,
                                  .function = {},
                                  .clamped = false,
                                  .certified = false,
                                  .version = ""};
-  const std::vector<std::string> changes = overrides_of(method);
-  scene.overrides.insert(scene.overrides.begin(), changes.begin(), changes.end());
-  return scene;
+  std::vector<std::string> changes = overrides_of(method);
+  const std::vector<std::string>& given = arguments.scene.overrides;
+  changes.insert(changes.end(), given.begin(), given.end());
+  return changes;
+}
+
+void tell_motion_scene(const avo_io::MotionScene& made, double radius, bool has_walls) {
+  std::string line = fmt::format(
+      "the robots are made of the motion: the first place, the last one as goal, the largest speed "
+      "and acceleration; radius {} m (--radius)",
+      radius);
+  if (made.robots.back() != std::ssize(made.robots) - 1)
+    line += fmt::format(", robot 0 is {} there, robot {} is {}", made.robots.front(),
+                        made.robots.size() - 1, made.robots.back());
+  if (made.first_time != 0.0) line += fmt::format(", 0 s is {} s there", made.first_time);
+  if (!has_walls) line += "; nobody knows of walls, --scene gives them";
+  warn({line});
+}
+
+/// Takes the robots from the motion, where --scene has none. surroundings: of --scene, if any.
+void take_robots(const ConvertArguments& arguments, const avo_io::SceneSource& surroundings,
+                 avo_io::ConvertOptions& options) {
+  if (arguments.recording == "-")
+    throw UsageError(
+        "the recording: found the standard input, must be a file where --scene has no robots");
+  if (surroundings.yaml.empty() && avo_io::read_recording_header(arguments.recording))
+    throw UsageError("--scene: found none, must be given: " + arguments.recording +
+                     " is a recording with a scene of its own");
+  const double radius = arguments.radius.value_or(kRadiusOfPeople);
+  if (!(radius > 0.0) || !std::isfinite(radius))
+    throw UsageError(fmt::format("--radius: found {}, must be > 0 m and finite", radius));
+  avo_io::MotionScene made = avo_io::scene_of_motion(arguments.recording, surroundings, radius);
+  for (const std::string& change : of_another_method(arguments))
+    made.source.overrides.push_back(change);
+  options.scenario = avo_io::parse_scenario(made.source);
+  tell_motion_scene(made, radius, !options.scenario->obstacles.empty());
+  options.source = made.source;
+  options.robots = made.robots, options.first_time = made.first_time;
+}
+
+/// The scene and the robots of a recording that is made.
+void take_scene(const ConvertArguments& arguments, avo_io::ConvertOptions& options) {
+  avo_io::SceneSource surroundings;
+  const bool has_robots =
+      !arguments.scene.scene.empty() &&
+      !avo_io::load_surroundings(arguments.scene.scene, {}, &surroundings).robots.empty();
+  if (!has_robots) return take_robots(arguments, surroundings, options);
+  if (arguments.radius)
+    throw UsageError("--radius: found with robots in --scene, must be without them");
+  SceneArguments scene = arguments.scene;
+  scene.overrides = of_another_method(arguments);
+  options.scenario = with_overrides(scene, options.source);
 }
 
 /// Returns the scene of --scene, or the scene in the recording, with the overrides.
 std::optional<avo::Scenario> scenario_of(const ConvertArguments& arguments,
                                          avo_io::SceneSource& source) {
-  if (format_of(arguments) == ExportFormat::recording)
-    return with_overrides(by_another_method(arguments), source);
   if (!arguments.scene.scene.empty()) {
     avo::Scenario scenario = with_overrides(arguments.scene, source, true);
     tell_settings(arguments.scene, scenario, source);
@@ -146,6 +191,8 @@ int convert(const ConvertArguments& arguments) {
   catch_signals(Patience::none);
   if (arguments.to == kSetPoints) return convert_to_set_points(arguments);
   if (arguments.rate) throw UsageError("--rate: found without --to set-points, must be with it");
+  if (!arguments.autopilot.empty())
+    throw UsageError("--autopilot: found without --to set-points, must be with it");
   const ExportFormat format = format_of(arguments);
   if (arguments.recording == "-" && arguments.scene.scene == "-")
     throw UsageError("the recording and --scene: found - twice, must be one standard input only");
@@ -153,12 +200,17 @@ int convert(const ConvertArguments& arguments) {
                    {{"the output", arguments.output}});
   if (!arguments.name.empty() && format != ExportFormat::recording)
     throw UsageError("--name: found without --to recording, must be with it");
+  if (arguments.radius && format != ExportFormat::recording)
+    throw UsageError("--radius: found without --to recording, must be with it");
   if (const auto in_space = convert_in_space(arguments, format)) {
     report(arguments, *in_space);
     return kDone;
   }
   avo_io::ConvertOptions options{.format = format};
-  options.scenario = scenario_of(arguments, options.source);
+  if (format == ExportFormat::recording)
+    take_scene(arguments, options);
+  else
+    options.scenario = scenario_of(arguments, options.source);
   if (format == ExportFormat::mcap && options.scenario && options.scenario->robots.empty())
     throw UsageError("--scene: found no robots in it, must have them: MCAP shows radii");
   if (format == ExportFormat::mcap && !options.scenario) {

@@ -93,6 +93,16 @@ std::string replay_of(const std::string& recording, const avo_io::RecordedRun& r
   return page_lab_of(recording, static_cast<std::int64_t>(run.scenario.robots.size()));
 }
 
+/// Returns the command that made the recording. The motion of another program has none.
+std::string made_by(const avo_io::RecordingHeader& header, const ReportArguments& arguments,
+                    const avo::Scenario& scenario, std::optional<double> ended) {
+  const bool by_others =
+      has_external(scenario) && arguments.own_methods.empty() && !header.state_hash;
+  if (!by_others) return command_of(header, arguments, ended);
+  return fmt::format("avo convert MOTION {} --to recording{}", arguments.input,
+                     set_options(header.scene.overrides));
+}
+
 std::string recording_page(const ReportArguments& arguments) {
   const std::optional<avo::MeasuringLine> line = line_of(arguments.line);
   if (!arguments.spec.empty() || arguments.run)
@@ -115,8 +125,8 @@ std::string recording_page(const ReportArguments& arguments) {
                  {verdict_of(judgement), replay_of(arguments.input, run),
                   page_figures("Figures", figures_of(run)), page_section("Results", again.results),
                   page_text("What was judged", avo_io::readable(judgement)),
-                  page_text("Command", command_of(header, arguments,
-                                                  as_asked ? std::nullopt : std::optional(end))),
+                  page_text("Command", made_by(header, arguments, scenario,
+                                               as_asked ? std::nullopt : std::optional(end))),
                   page_text("Scene", scene_text_of(header.scene)),
                   page_section("Made by", provenance_of(header, arguments.input))});
 }

@@ -16,7 +16,9 @@
 #include "arguments/files.h"
 #include "avo/space/metrics.h"
 #include "avo/space/reachability.h"
+#include "avo_io/nearest.h"
 #include "avo_io/output_file.h"
+#include "avo_io/printable.h"
 #include "avo_io/recording.h"
 #include "avo_io/space_decision.h"
 #include "exit_codes.h"
@@ -242,6 +244,18 @@ std::optional<avo_io::Converted> convert_in_space(const ConvertArguments& argume
                                   {.format = format, .scene = scene});
 }
 
+namespace {
+
+avo_io::Autopilot autopilot_called(const std::string& word) {
+  if (word.empty()) return avo_io::Autopilot::any;
+  if (word == "px4") return avo_io::Autopilot::px4;
+  if (word == "crazyflie") return avo_io::Autopilot::crazyflie;
+  throw UsageError(fmt::format("--autopilot: found {}, {}", avo_io::printable(word, kLongestWord),
+                               avo_io::allowed_words(word, {"px4", "crazyflie"})));
+}
+
+}  // namespace
+
 int convert_to_set_points(const ConvertArguments& arguments) {
   constexpr double kUsualRate = 50.0;  // Hz
   require_ending({"the output", arguments.output}, {".csv"});
@@ -249,11 +263,13 @@ int convert_to_set_points(const ConvertArguments& arguments) {
                    {{"the output", arguments.output}});
   if (!arguments.name.empty())
     throw UsageError("--name: found without --to recording, must be with it");
+  const avo_io::Autopilot autopilot = autopilot_called(arguments.autopilot);
   const auto scene = scene_of(arguments.recording, arguments.scene);
   if (!scene)
     throw UsageError("--scene: found no scene with space: 3, must be given with --to set-points");
-  const std::int64_t rows = avo_io::write_set_points(
-      arguments.recording, arguments.output, scene->scenario, arguments.rate.value_or(kUsualRate));
+  const std::int64_t rows =
+      avo_io::write_set_points(arguments.recording, arguments.output, scene->scenario,
+                               arguments.rate.value_or(kUsualRate), autopilot);
   if (arguments.output != "-") print_results(fmt::format("{}: {} rows\n", arguments.output, rows));
   return kDone;
 }

@@ -90,14 +90,17 @@ struct RecoverArguments {
 int recover(const RecoverArguments& arguments);
 
 inline constexpr const char* kSetPoints = "set-points";
+inline constexpr double kRadiusOfPeople = 0.3;  ///< m
 struct ConvertArguments {
   std::string recording;  ///< "-": standard input
   std::string output;     ///< "-": standard output
   SceneArguments scene;   ///< empty: the scene that the recording contains, if it contains one
   /// a word of avo_io::kExportFormats, or kSetPoints; empty: by the output's ending
   std::string to;
-  std::string name;            ///< of the method of a recording; empty: the recording's stem
-  std::optional<double> rate;  ///< Hz, of set points; unset: 50
+  std::string name;              ///< of the method of a recording; empty: the recording's stem
+  std::optional<double> radius;  ///< m, of robots that only the motion has; unset: kRadiusOfPeople
+  std::optional<double> rate;    ///< Hz, of set points; unset: 50
+  std::string autopilot;         ///< of set points: px4, crazyflie; empty: any
 };
 int convert(const ConvertArguments& arguments);
 

@@ -42,7 +42,7 @@ AVO_WORDS(avo::PlanStatus, "status", 7, avo::to_string);
 AVO_WORDS(avo::SafetyState, "state", 3, avo::to_string);
 AVO_WORDS(avo::AccelerationSet, "acceleration_set", 2, avo::to_string);
 AVO_WORDS(avo::AfterGoal, "after_goal", 2, avo::to_string);
-AVO_WORDS(avo::Behavior, "behavior", 3, avo::to_string);
+AVO_WORDS(avo::Behavior, "behavior", 4, avo::to_string);
 AVO_WORDS(avo::Formation, "formation", 5, avo::to_string);
 AVO_WORDS(avo::Fill, "fill", 3, fill_word);
 #undef AVO_WORDS

@@ -77,18 +77,15 @@ auto whole(Columns wanted, Of of) {
   };
 }
 
-/// Returns arrays with another length than the fleet's: they have an entry for each moving
-/// obstacle, and the number of these never changes.
+/// Returns arrays with an entry for each moving obstacle.
 auto obstacle_points(std::span<const avo::Vec2> avo::MovingObstacleView::*which) {
   return [which](SharedSimulation& self, const Out& out) {
-    const std::size_t n = self.briefly([&](const avo::Simulation& simulation) {
-      return (simulation.moving_obstacles().*which).size();
+    const auto points = self.briefly([&](const avo::Simulation& simulation) {
+      const auto view = simulation.moving_obstacles().*which;
+      return std::vector<avo::Vec2>(view.begin(), view.end());
     });
-    auto array = target(out, {static_cast<py::ssize_t>(n), 2});
-    self.briefly([&](const avo::Simulation& simulation) {
-      fill(array, simulation.moving_obstacles().*which);
-      return 0;
-    });
+    auto array = target(out, {static_cast<py::ssize_t>(points.size()), 2});
+    fill(array, points);
     return array;
   };
 }
@@ -142,7 +139,12 @@ void bind_columns(SimulationClass& simulation) {
       .def("moving_obstacle_position", obstacle_points(&avo::MovingObstacleView::position),
            arg("out") = py::none(), "(m, 2) float64, m, of the moving obstacles.")
       .def("moving_obstacle_velocity", obstacle_points(&avo::MovingObstacleView::velocity),
-           arg("out") = py::none(), "(m, 2) float64, m/s, of the moving obstacles.");
+           arg("out") = py::none(), "(m, 2) float64, m/s, of the moving obstacles.")
+      .def("moving_obstacle_next_point", told([](const avo::Simulation& s) {
+             const auto next = s.moving_obstacles().next_point;
+             return std::vector<std::uint32_t>(next.begin(), next.end());
+           }),
+           "Of each, the position in its path of the point that it moves to, a list.");
 }
 #undef POINTS
 #undef NUMBERS

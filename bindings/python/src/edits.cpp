@@ -82,10 +82,12 @@ void bind_edits(SimulationClass& simulation) {
           arg("id"), arg("position"),
           "Puts it down at position, (x, y), m, at rest; it keeps its id. Raises Error as "
           "add_robot() does.")
-      .def("change_robot", &change_robot, arg("id"),
-           "Arguments by name, those of RobotSetup: what it can do and how it behaves from now on. "
-           "Others stay. Its state, goal, model and time_step cannot be changed. A robot at rest "
-           "can be parked, and a parked one set free. Raises Error where the promise would break.")
+      .def(
+          "change_robot", &change_robot, arg("id"),
+          "Arguments by name, those of RobotSetup: what it can do and how it behaves from now on. "
+          "Others stay. Its state, goal, model and time_step cannot be changed. A robot at rest "
+          "can be \"parked\", and a parked one set free, by their behavior. Raises Error where the "
+          "promise would break.")
       .def(
           "set_preferred_velocity",
           [](SharedSimulation& self, std::int64_t id, std::optional<avo::Vec2> velocity) {

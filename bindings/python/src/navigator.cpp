@@ -6,6 +6,7 @@
 
 #include "bind.h"
 #include "pickles.h"
+#include "renamed.h"
 
 namespace avo_python {
 
@@ -41,8 +42,18 @@ Navigator make_navigator(const avo::Planner* planner,
 }
 
 void bind_decision(py::module_& module) {
-  py::class_<NavigatorDecision>(module, "NavigatorDecision", "One decision of a Navigator.")
-      .def_readonly("plan", &NavigatorDecision::plan, "Plan, for the base")
+  using avo::NavigatorWait;
+  py::class_<NavigatorWait>(module, "NavigatorWait",
+                            "For whom a robot on board waits at a passage of one lane.")
+      .def_readonly("passage", &NavigatorWait::passage, "(x, y), m, the middle of its axis")
+      .def_readonly("neighbor", &NavigatorWait::neighbor,
+                    "position in the list of the neighbors given")
+      .def_readonly("inside", &NavigatorWait::inside, "whether that neighbor is in the passage")
+      .def_readonly("a", &NavigatorWait::a, "(x, y), m, one side where it is narrowest")
+      .def_readonly("b", &NavigatorWait::b, "(x, y), m, the other side");
+  py::class_<NavigatorDecision> decision(module, "NavigatorDecision",
+                                         "One decision of a Navigator.");
+  decision.def_readonly("plan", &NavigatorDecision::plan, "Plan, for the base")
       .def_property_readonly(
           "status", [](const NavigatorDecision& self) { return avo::to_string(self.status); },
           "\"idle\", \"under_way\", \"waiting\", \"reached\", \"stuck\" or \"unreachable\"")
@@ -56,18 +67,14 @@ void bind_decision(py::module_& module) {
       .def_readonly("stopping_distance", &NavigatorDecision::stopping_distance,
                     "m, that it needs to brake from its present velocity")
       .def_readonly("without_progress", &NavigatorDecision::without_progress, "s")
-      .def_property_readonly(
-          "waits_for",
-          [](const NavigatorDecision& self) {
-            return self.wait ? std::optional(self.wait->neighbor) : std::nullopt;
-          },
-          "position in the list of the neighbor for which it waits at a passage, or None")
+      .def_readonly("wait", &NavigatorDecision::wait, "NavigatorWait at a passage, or None")
       .def_readonly("command", &NavigatorDecision::command,
                     "BaseCommand to send in place of the plan, where execution is set; or None")
       .def("__repr__", [](const NavigatorDecision& self) {
         return fmt::format("<avo.NavigatorDecision {}: {:.6g} m left>", avo::to_string(self.status),
                            self.route_left);
       });
+  refuse_renamed(decision, {{"waits_for", "wait, whose neighbor is the same"}});
 }
 
 void bind_execution_model(py::module_& module) {
@@ -231,7 +238,12 @@ void bind_navigator(py::module_& module) {
           arg("robot"), arg("neighbors") = py::tuple(),
           "Why it would decide as it would now, in words. Neighbors are named by their positions "
           "in the list.")
-      .def("route", &Navigator::route, "Corners of the route that is left, to its end, m.");
+      .def("route", &Navigator::route, "Corners of the route that is left, to its end, m.")
+      .def_property_readonly(
+          "detour", [](const Navigator& self) { return self.detour(); },
+          "Detour, what the robot remembers, a copy")
+      .def_property_readonly(
+          "planner", [](const Navigator& self) { return self.planner(); }, "Planner, a copy");
   module.def("sensing_range", &sensing_range_of, arg("planner"), arg("robot"), arg("others"),
              arg("has_map") = false,
              "m, between centers: how far a Robot with that Planner has to sense other Robots.");

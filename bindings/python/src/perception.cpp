@@ -43,7 +43,11 @@ void bind_perception(py::module_& module, SimulationClass& simulation) {
       .def_readonly(
           "stop", &Perception::stop,
           "Plan of a robot that brakes until it stands, near a goal that others share: its "
-          "decision, whatever it would plan; else None");
+          "decision, whatever it would plan; else None")
+      .def_readonly("wait", &Perception::wait, "Wait at a passage, or None")
+      .def_property_readonly(
+          "guide", [](const Perception& seen) { return avo::to_string(seen.guide); },
+          "what its preferred velocity leads to, as in explanations");
   simulation
       .def(
           "perceive",

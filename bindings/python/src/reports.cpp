@@ -41,7 +41,7 @@ py::object explain_scene(const py::object& scene, std::int64_t robot, double tim
 py::object explain_now(SharedSimulation& self, std::int64_t id) {
   return from_json(self.alone([&](const avo::Simulation& simulation) {
     const avo::RobotId robot = robot_id(id);
-    if (simulation.setup(robot).parked)
+    if (is_parked(simulation.setup(robot)))
       throw avo::Error(
           fmt::format("robot: found {}, which is parked, must be one that decides", id));
     return to_json(avo_io::explain(simulation, self.name(), robot));
@@ -165,7 +165,7 @@ void require_same(const avo::Scenario& scenario, const avo::Simulation& simulati
     if (id >= scenario.robots.size()) continue;
     const avo::RobotSetup &now = fleet.setup[k], &own = scenario.robots[id];
     if (now.radius == own.radius && now.max_speed == own.max_speed &&
-        now.max_acceleration == own.max_acceleration && now.parked == own.parked)
+        now.max_acceleration == own.max_acceleration && is_parked(now) == is_parked(own))
       continue;
     throw avo::Error(
         fmt::format("simulation: found another robot {} than in {}, must be of the same scene", id,

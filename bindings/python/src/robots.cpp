@@ -161,7 +161,8 @@ void bind_neighbor(py::module_& module) {
            arg("footprint") = py::none(), arg("ahead") = py::make_tuple(0.0, 0.0),
            arg("spread") = 0.0,
            "position: (x, y), m; velocity: m/s; radius: m, > 0; max_acceleration: m/s^2, > 0; "
-           "behavior: \"decides\", \"moves_on\" or \"cooperates\"; age: steps since it was sensed; "
+           "behavior: \"decides\", \"moves_on\", \"cooperates\" or \"parked\"; age: steps since it "
+           "was sensed; "
            "priority: > 0; "
            "max_braking: m/s^2; max_deviation: m/s^2, >= 0; position_error: m, >= 0; acceleration: "
            "m/s^2, and max_speed: m/s, of a neighbor that moves on; likely_deviation: m/s^2, >= 0, "
@@ -176,7 +177,8 @@ void bind_neighbor(py::module_& module) {
       .def_readwrite("radius", &Neighbor::radius, "[r_B] m, > 0")
       .def_readwrite("max_acceleration", &Neighbor::max_acceleration,
                      "[a_B^max] m/s^2, > 0; read only where it decides")
-      .def_readwrite("behavior", &Neighbor::behavior, "\"decides\", \"moves_on\" or \"cooperates\"")
+      .def_readwrite("behavior", &Neighbor::behavior,
+                     "\"decides\", \"moves_on\", \"cooperates\" or \"parked\"")
       .def_readwrite("age", &Neighbor::age, "steps, >= 0: how long ago it was last sensed")
       .def_readwrite("priority", &Neighbor::priority, "> 0, see Robot.priority")
       .def_readwrite("max_braking", &Neighbor::max_braking,

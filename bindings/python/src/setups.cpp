@@ -5,6 +5,7 @@
 #include "avo_io/nearest.h"
 #include "fields.h"
 #include "pickles.h"
+#include "renamed.h"
 
 namespace avo_python {
 namespace {
@@ -14,6 +15,8 @@ using Setup = avo::RobotSetup;
 constexpr std::string_view kSetup = "RobotSetup";
 
 [[noreturn]] void refuse_key(const std::string& key) {
+  if (key == "parked")
+    throw py::type_error("RobotSetup: found \"parked\", must be behavior=\"parked\"");
   std::vector<std::string_view> known{"model", "heading"};
   for_each_field(avo_io::robot_fields(),
                  [&](const auto& field, auto) { known.push_back(field.key); });
@@ -95,6 +98,7 @@ void bind_setup(py::module_& module) {
     setup.def_readwrite(std::string(field.key).c_str(), member, text.c_str());
     all += fmt::format(" {}: {}.", field.key, text);
   });
+  refuse_renamed(setup, {{"parked", "behavior"}});
   setup.def(pickled<Setup>())
       .def(py::init(&made_of), all.c_str())
       .def_property(

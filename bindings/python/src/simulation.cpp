@@ -122,6 +122,9 @@ void bind_state(SimulationClass& simulation) {
                              told([](const Simulation& s) { return s.sensing_radius(); }),
                              "m: how far robots sense; where the scene names none, it grows with "
                              "robots that are added")
+      .def_property_readonly("roster", told([](const Simulation& s) { return s.roster(); }),
+                             "changes whenever robots come, go or are restored; as long as it "
+                             "stays, ids and setups stay")
       .def_property_readonly("threads", told([](const Simulation& s) { return s.threads(); }),
                              "that a step may use")
       .def(
@@ -136,68 +139,6 @@ void bind_state(SimulationClass& simulation) {
             return self.alone([](const Simulation& s) { return s.state_hash(); });
           },
           "Equal for equal states, bit by bit.")
-      .def("all_at_goal", told([](const Simulation& s) { return s.all_at_goal(); }),
-           "Whether all robots are at their goals, see at_goal().")
-      .def(
-          "at_goal",
-          [](SharedSimulation& self) {
-            const auto at = self.briefly([](const Simulation& s) {
-              std::vector<std::uint8_t> all(s.size());
-              const auto ids = s.fleet(avo::Columns::id).id;
-              for (std::size_t k = 0; k < all.size(); ++k) all[k] = s.is_at_goal(ids[k]) ? 1 : 0;
-              return all;
-            });
-            py::array_t<bool> array(static_cast<py::ssize_t>(at.size()));
-            std::copy(at.begin(), at.end(), array.mutable_data());
-            return array;
-          },
-          "(n,) bool: whether it is within arrival_distance, in sight, or rests as near as others "
-          "at rest "
-          "leave room, where their goals are too close together for all of them.")
-      .def(
-          "unreachable",
-          [](SharedSimulation& self) {
-            std::vector<std::uint64_t> ids;
-            for (const avo::RobotId id :
-                 self.briefly([](const Simulation& s) { return s.unreachable(); }))
-              ids.push_back(id.value);
-            return ids;
-          },
-          "Ids of robots that walls keep from their goals: they go as near as they can, and are "
-          "distance_left() from there.")
-      .def(
-          "distance_left",
-          [](SharedSimulation& self, std::int64_t id) {
-            return self.briefly(
-                [&](const Simulation& s) { return s.route(robot_id(id)).distance_left; });
-          },
-          arg("id"),
-          "m, from the nearest place that the robot can reach to its goal; 0 where no wall keeps "
-          "the "
-          "robot from its goal.")
-      .def(
-          "route",
-          [](SharedSimulation& self, std::int64_t id) {
-            const auto route =
-                self.briefly([&](const Simulation& s) { return s.route(robot_id(id)); });
-            return std::pair(route.length, route.next);
-          },
-          arg("id"),
-          "The rest of the route that the robot knows: its length, m, inf for those that "
-          "unreachable() names, and its next point, a corner of a wall or its end.")
-      .def(
-          "wait",
-          [](SharedSimulation& self,
-             std::int64_t id) -> std::optional<std::pair<avo::Vec2, std::uint64_t>> {
-            const auto wait =
-                self.briefly([&](const Simulation& s) { return s.wait(robot_id(id)); });
-            if (!wait) return std::nullopt;
-            return std::pair(wait->passage, wait->robot.value);
-          },
-          arg("id"),
-          "The passage of one lane at which the robot waits: its middle, m, and the id of the "
-          "other "
-          "robot; None where the robot waits at no passage.")
       .def("_repr_svg_",
            [](const py::object& self) { return py::module_::import("avo.svg").attr("draw")(self); })
       .def("__repr__", [](SharedSimulation& self) {
@@ -241,7 +182,7 @@ void bind_inventory(SimulationClass& simulation) {
              const auto setup = s.moving_obstacles().setup;
              return std::vector<avo::MovingObstacle>(setup.begin(), setup.end());
            }),
-           "list of MovingObstacle, as the scene has them.")
+           "list of MovingObstacle, as they came or were changed.")
       .def("moving_obstacle_ids", told([](const Simulation& s) {
              std::vector<std::uint64_t> ids;
              for (const avo::MovingObstacleId id : s.moving_obstacles().id) ids.push_back(id.value);
@@ -312,6 +253,7 @@ void bind_simulation(py::module_& module) {
   bind_state(simulation);
   bind_edits(simulation);
   bind_queries(simulation);
+  bind_routes(module, simulation);
   bind_team_edits(simulation);
   bind_robot_state(module);
   bind_inventory(simulation);

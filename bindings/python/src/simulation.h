@@ -29,6 +29,7 @@ void bind_columns(SimulationClass& simulation);
 void bind_edits(SimulationClass& simulation);
 void bind_perception(py::module_& module, SimulationClass& simulation);
 void bind_queries(SimulationClass& simulation);
+void bind_routes(py::module_& module, SimulationClass& simulation);
 void bind_team_edits(SimulationClass& simulation);
 
 /// Ids are not negative; Error as for a robot that is not there.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Robots of space: what one knows of itself and of others, boxes, quadrotors and their set points.
+#include <array>
+#include <cstddef>
 #include <fmt/format.h>
 
-#include "avo/space/quadrotor.h"
+#include "avo/space/autopilots.h"
 #include "avo/space/scenario.h"
 #include "fields.h"
 
@@ -88,6 +90,50 @@ void bind_filter(py::module_& space) {
       .def_property_readonly("begin", &Filter::begin, "s: set points are known from here on")
       .def_property_readonly("end", &Filter::end, "s: until here")
       .def("at", &Filter::at, arg("time"), "The SetPoint of that time, s.");
+}
+
+// A member of a set point as a tuple.
+template <typename Point, std::size_t Size>
+auto tuple_of(std::array<float, Size> Point::*member) {
+  return [member](const Point& point) { return py::tuple(py::cast(point.*member)); };
+}
+
+template <typename Point>
+void bind_motion(py::class_<Point>& point) {
+  point.def_property_readonly("position", tuple_of(&Point::position), "m")
+      .def_property_readonly("velocity", tuple_of(&Point::velocity), "m/s")
+      .def_property_readonly("acceleration", tuple_of(&Point::acceleration),
+                             "m/s^2, without gravity");
+}
+
+void bind_autopilots(py::module_& space) {
+  using avo::space::CrazyflieSetPoint;
+  using avo::space::Px4SetPoint;
+  py::class_<Px4SetPoint> px4(
+      space, "Px4SetPoint",
+      "The message TrajectorySetpoint of PX4: north, east, down. NaN is what PX4 may choose.");
+  px4.def_readonly("timestamp", &Px4SetPoint::timestamp, "microseconds");
+  bind_motion(px4);
+  px4.def_property_readonly("jerk", tuple_of(&Px4SetPoint::jerk), "NaN")
+      .def_readonly("yaw", &Px4SetPoint::yaw, "NaN")
+      .def_readonly("yawspeed", &Px4SetPoint::yawspeed, "NaN");
+  py::class_<CrazyflieSetPoint> crazyflie(
+      space, "CrazyflieSetPoint",
+      "What send_full_state_setpoint() of the Crazyflie's library takes, with a level attitude.");
+  bind_motion(crazyflie);
+  crazyflie
+      .def_property_readonly("orientation", tuple_of(&CrazyflieSetPoint::orientation),
+                             "quaternion x, y, z, w")
+      .def_readonly("roll_rate", &CrazyflieSetPoint::roll_rate, "degrees/s")
+      .def_readonly("pitch_rate", &CrazyflieSetPoint::pitch_rate, "degrees/s")
+      .def_readonly("yaw_rate", &CrazyflieSetPoint::yaw_rate, "degrees/s");
+  space.def(
+      "px4_set_point", &avo::space::px4_set_point, arg("point"), arg("time"),
+      "The SetPoint for PX4. x of the scene points east, y north, z up. time: s, >= 0, of the "
+      "autopilot's clock. Raises Error on other times, and on values beyond 1e12.");
+  space.def("crazyflie_set_point", &avo::space::crazyflie_set_point, arg("point"),
+            "The SetPoint for a Crazyflie. Raises Error on values beyond 32.767 m, m/s or m/s^2: a "
+            "packet has thousandths in 16 bits.");
 }
 
 void bind_setup(py::module_& space) {
@@ -205,6 +251,7 @@ void bind_robots(py::module_& space) {
   bind_box(space);
   bind_quadrotor(space);
   bind_filter(space);
+  bind_autopilots(space);
   bind_setup(space);
   bind_robot(space);
   bind_neighbor(space);

@@ -143,6 +143,13 @@ void bind_state(SpaceSimulationClass& simulation) {
           "(n,) bool: whether it is within arrival_distance of its goal.")
       .def("all_at_goal", told([](const Simulation& s) { return s.all_at_goal(); }),
            "Whether all robots are at their goals.")
+      .def(
+          "is_at_goal",
+          [](SharedSpaceSimulation& self, std::int64_t robot) {
+            return self.briefly(
+                [&](const Simulation& s) { return s.is_at_goal(checked(s, robot)); });
+          },
+          arg("robot"), "Whether the robot is at its goal.")
       .def("unreachable", told([](const Simulation& s) {
              std::vector<std::uint64_t> ids;
              for (const avo::RobotId id : s.unreachable()) ids.push_back(id.value);
@@ -162,15 +169,20 @@ void bind_state(SpaceSimulationClass& simulation) {
       .def(
           "route",
           [](SharedSpaceSimulation& self, std::int64_t robot) {
-            const auto route =
-                self.briefly([&](const Simulation& s) { return s.route(checked(s, robot)); });
-            return std::pair(route.length, route.next);
+            return self.briefly([&](const Simulation& s) { return s.route(checked(s, robot)); });
           },
-          arg("robot"),
-          "The rest of the route that the robot knows: its length, m, inf for those that "
-          "unreachable() names, and its next point, a bend or its end.")
+          arg("robot"), "Route, the rest of the route that the robot knows.")
       .def("state_hash", told([](const Simulation& s) { return s.state_hash(); }),
            "Equal for equal states, bit by bit.");
+}
+
+void bind_route(py::module_& space) {
+  using Route = Simulation::Route;
+  py::class_<Route>(space, "Route", "The rest of a robot's route.")
+      .def_readonly("length", &Route::length, "m; inf for robots that unreachable() names")
+      .def_readonly("next", &Route::next, "(x, y, z), m, its next point, a bend or its end")
+      .def_readonly("distance_left", &Route::distance_left,
+                    "m, from its end to the goal; 0 where no box keeps the robot from its goal");
 }
 
 void bind_simulation(py::module_& space) {
@@ -207,6 +219,7 @@ avo::RobotId checked(const Simulation& simulation, std::int64_t robot) {
 void bind_scenes(py::module_& space) {
   bind_moving_obstacles(space);
   bind_scenario(space);
+  bind_route(space);
   bind_simulation(space);
 }
 

@@ -201,6 +201,14 @@ void bind_teams(py::module_& module) {
       "Slots (count, 2), m, about center, that face heading, rad. formation: line, column, wedge, "
       "block or ring. spacing: m between neighboring slots, at least.");
   module.def(
+      "place_slots",
+      [](const py::object& slots, avo::Vec2 center, double heading) {
+        const Numbers given = numbers("slots", slots);
+        return array_of(place_slots(rows("slots", given), center, heading));
+      },
+      arg("slots"), arg("center"), arg("heading"),
+      "Slots (n, 2), m, turned by heading, rad, and moved so that their origin is at center.");
+  module.def(
       "assign_slots",
       [](const py::object& positions, const py::object& slots) {
         const Numbers from = numbers("positions", positions), to = numbers("slots", slots);

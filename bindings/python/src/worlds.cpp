@@ -32,7 +32,6 @@ void require_plain(const avo::Scenario& scenario) {
     const std::string name = fmt::format("robots.{}", k);
     if (std::holds_alternative<avo::Airplane>(robot.model))
       refuse((name + ".model").c_str(), "airplane", "holonomic, car or differential_drive");
-    if (robot.parked) refuse((name + ".parked").c_str(), "true", "false");
     if (robot.method) refuse((name + ".method").c_str(), to_string(*robot.method), "left out");
     if (robot.arrival_distance) refuse((name + ".arrival_distance").c_str(), "one", "left out");
     if (robot.start_time != 0.0) refuse((name + ".start_time").c_str(), "one", "left out");

@@ -64,7 +64,7 @@ py::array_t<float> nearest(const Worlds& self, std::size_t k) {
         const avo::Robot& a = world.robots[i];
         const avo::Neighbor b = self.neighbor(world, other);
         const avo::Vec2 p = b.position - a.position, v = b.velocity - a.velocity;
-        const double kind = b.behavior == avo::Behavior::moves_on ? -1.0 : 1.0;
+        const double kind = shares(b) ? 1.0 : -1.0;
         const double row[kNumbers] = {p.x, p.y, v.x, v.y, a.radius + b.radius, kind};
         std::transform(row, row + kNumbers, out,
                        [](double number) { return static_cast<float>(number); });

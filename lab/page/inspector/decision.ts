@@ -84,7 +84,7 @@ export interface Decision {
   max_braking: number;
   priority: number;
   neighbors: Sensed[];
-  rule: "half_planes" | "union_of_obstacles";
+  target_by: "half_planes" | "union_of_obstacles";
   half_planes: ({ neighbor: Source } & HalfPlane)[];
   walls: SensedWall[];
   wall_half_planes: ({ wall: number; kind: "speed" | "obstacle" } & HalfPlane)[];

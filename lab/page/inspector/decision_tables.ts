@@ -45,7 +45,7 @@ function verdictRows(decision: Decision): Row[] {
     ...waitRows(decision),
     { name: "violation", label: "violation", value: `${digits(decision.violation, 3)} m/s`, exact: decision.violation, title: "by how much v′ misses CA_A" },
     { name: "state", label: "state", value: stateText(decision), exact: decision.state, title: "what is proved before anything is decided (docs/states.md)" },
-    { name: "rule", label: "rule", value: decision.rule.replaceAll("_", " "), exact: decision.rule },
+    { name: "target_by", label: "target by", value: decision.target_by.replaceAll("_", " "), exact: decision.target_by },
   ];
   if (decision.certificate_kind !== undefined) {
     const constraints = decision.certificate ?? [];
@@ -129,7 +129,7 @@ export function neighborTable(lab: Lab, decision: Decision, found: Why, law: Law
     .sort((a, b) => a.clearance - b.clearance);
   return neighborsOf([["neighbor", ""], ["clearance", "m"], ["share", "%"], ["behavior", ""], ["half-plane", ""]], sorted, ({ sensed, name, clearance }) => {
     const cut = found.cuts.find((other) => other.of === name);
-    const role = !cut ? (law.method === "buffered_voronoi" || decision.rule !== "half_planes" ? "" : "does not cut")
+    const role = !cut ? (law.method === "buffered_voronoi" || decision.target_by !== "half_planes" ? "" : "does not cut")
       : cut.binds ? "binds" : cut.refuses > 1e-3 ? "refuses vᵖʳᵉᶠ" : "cuts";
     const label = typeof sensed.neighbor === "number" ? neighborLink(lab, sensed.neighbor) : labelOf(name);
     return element("tr", { "data-name": name, onpointerenter: () => lab.highlight(name), onpointerleave: () => lab.highlight(null) },

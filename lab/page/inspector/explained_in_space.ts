@@ -63,7 +63,7 @@ function sourceOf(decision: SpaceDecision, info: SceneInfo, plane: CutPlane, nei
   return {
     space: {
       decision: {
-        robot: decision.robot, rule: "half_planes", max_acceleration,
+        robot: decision.robot, target_by: "half_planes", max_acceleration,
         velocity: inPlane(plane, velocity), preferred_velocity: inPlane(plane, preferred_velocity), new_velocity: inPlane(plane, new_velocity),
         acceleration_disc, speed_disc,
       },

@@ -24,7 +24,7 @@ export interface Admitted {
 }
 
 /** The part of a decision that is drawn; of a cut through space, in the axes of the cut. */
-export type DrawnDecision = Pick<Decision, "robot" | "rule" | "velocity" | "preferred_velocity" | "new_velocity" | "max_acceleration" |
+export type DrawnDecision = Pick<Decision, "robot" | "target_by" | "velocity" | "preferred_velocity" | "new_velocity" | "max_acceleration" |
   "acceleration_disc" | "speed_disc">;
 
 export interface VelocitySpace {
@@ -47,7 +47,7 @@ function drawRegions(pen: Pen, space: VelocitySpace): void {
   const { decision, why, outlines } = space;
   const { palette, view } = pen;
   const discs = [decision.acceleration_disc, decision.speed_disc];
-  const union = decision.rule === "union_of_obstacles";
+  const union = decision.target_by === "union_of_obstacles";
   const page = (): void => pen.context.rect(0, 0, view.width, view.height);
   const rings = (): void => outlines.forEach((outline) => outline.rings.forEach((ring) => pen.polygon(ring)));
   pen.fill(palette.beyond, page);
@@ -90,7 +90,7 @@ function drawAdmitted(pen: Pen, admitted: Admitted): void {
 }
 
 function drawOutlines(pen: Pen, space: VelocitySpace, highlighted: string | null): void {
-  const union = space.decision.rule === "union_of_obstacles";
+  const union = space.decision.target_by === "union_of_obstacles";
   for (const outline of space.outlines) {
     const isHit = outline.of === highlighted;
     const path = (): void => outline.rings.forEach((ring) => pen.polygon(ring));

@@ -33,7 +33,7 @@ export function lawOf(info: SceneInfo): Law {
 }
 
 export function why(decision: Decision, law: Law, info: Pick<SceneInfo, "walls">): Why {
-  const union = decision.rule === "union_of_obstacles";
+  const union = decision.target_by === "union_of_obstacles";
   const wish = decision.preferred_velocity;
   const binding = union ? [] : decision.trace.binding.map((source) => (source === null ? "" : nameOf(source)));
   const cut = (name: string, { normal, offset }: HalfPlane, forbids: boolean): Cut => ({

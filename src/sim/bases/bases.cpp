@@ -122,7 +122,7 @@ SensingError body_error(const Scenario& scenario) {
   if (!scenario.execution || scenario.sensing.is_exact()) return most;
   const Bases bases(scenario);
   for (const RobotSetup& robot : scenario.robots) {
-    if (robot.parked) continue;
+    if (is_parked(robot)) continue;
     most.position = std::max(most.position, bases.added_radius(robot));
     most.velocity =
         std::max(most.velocity,
@@ -232,7 +232,7 @@ void move_bases(World& world) {
   const auto step = static_cast<std::size_t>(world.steps - 1);
   for (std::size_t rank = 0; rank < bases.all.size(); ++rank) {
     const std::uint32_t slot = fleet.slot_of[rank];
-    if (fleet.conduct[slot].parked) continue;
+    if (fleet.is_parked(slot)) continue;
     const Draws draws(Draws::key_of(bases.seed, world.steps, fleet.id[slot].value), kStep);
     const MotionModel* own = fleet.own_model(slot);
     const auto* drive = own != nullptr ? std::get_if<DifferentialDrive>(own) : nullptr;

@@ -132,7 +132,7 @@ std::vector<Wall> Fleet::parked_walls(std::optional<std::size_t> changed,
   for (const std::uint32_t slot : slot_of) {
     if (changed == slot) {
       walls.insert(walls.end(), own ? 1 : 0, own.value_or(Wall{}));
-    } else if (conduct[slot].parked) {
+    } else if (is_parked(slot)) {
       walls.push_back(parked_wall(model(slot), position[slot], traits[slot].radius, heading[slot]));
     }
   }
@@ -175,12 +175,11 @@ RobotSetup Fleet::setup(std::size_t slot, const MotionState& state) const {
                    .model = model(slot),
                    .heading = state.heading,
                    .priority = conduct[slot].priority,
-                   .parked = conduct[slot].parked,
                    .layers = conduct[slot].layers,
                    .avoids = conduct[slot].avoids,
                    .max_braking = max_braking_of(robot_traits),
                    .behavior = conduct[slot].behavior};
-  if (has_clocks && !conduct[slot].parked) setup.time_step = clock_of(slot).time_step;
+  if (has_clocks && !is_parked(slot)) setup.time_step = clock_of(slot).time_step;
   if (conduct[slot].method != usual.method) setup.method = conduct[slot].method;
   if (!rare.empty()) copy_rare(rare[static_cast<std::size_t>(rank[slot])], setup);
   return setup;

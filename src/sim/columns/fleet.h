@@ -24,13 +24,16 @@ RobotTraits traits_of(const RobotSetup& setup);
 /// How a robot and the others avoid each other. Nearly all robots have the same.
 struct Conduct {
   double priority = 1.0;
-  bool parked = false;
   Method method = Method::avo;
   bool certified = true;  // it keeps the certificate
   LayerSet layers = RobotSetup{}.layers, avoids = RobotSetup{}.avoids;
-  Behavior behavior = RobotSetup{}.behavior;  // towards robots that it avoids
+  Behavior behavior = RobotSetup{}.behavior;
   friend bool operator==(const Conduct&, const Conduct&) = default;
 };
+/// Returns whether others count on the robot to do what its setup says: to brake, or to stay.
+constexpr bool promises(Behavior behavior) {
+  return behavior == Behavior::decides || behavior == Behavior::parked;
+}
 /// The method of robots that have none of their own, and whether these keep a certificate.
 struct UsualMethod {
   Method method = Method::avo;
@@ -212,9 +215,10 @@ struct Fleet {
   MotionState state(std::size_t slot) const {
     return {position[slot], velocity[slot], heading[slot], circle(slot).value_or(LoiterCircle{})};
   }
+  bool is_parked(std::size_t slot) const { return conduct[slot].behavior == Behavior::parked; }
   /// What robot a counts on from robot b; none where it does not avoid b as a neighbor.
   std::optional<Expectation> expected(std::size_t b, std::size_t a) const {
-    if (conduct[a].parked || conduct[b].parked) return std::nullopt;
+    if (is_parked(a) || is_parked(b)) return std::nullopt;
     return expected_of(conduct[b], conduct[a]);
   }
   /// m/s, the preferred velocity that the host gave to the robot.
@@ -228,7 +232,7 @@ struct Fleet {
     return own ? &*own : nullptr;
   }
   bool decides(std::size_t slot) const {
-    return !conduct[slot].parked && moved_by_host(slot) == nullptr;
+    return !is_parked(slot) && moved_by_host(slot) == nullptr;
   }
   /// Returns whether the robot goes to its goal, and the host says no velocity.
   bool heads_for_goal(std::size_t slot) const {

@@ -30,8 +30,7 @@ Conduct conduct_of(const RobotSetup& setup, const UsualMethod& usual) {
   const Method method = setup.method.value_or(usual.method);
   const bool certified =
       method == usual.method ? usual.certified : usual_certificate(method) != Certificate::none;
-  return {setup.priority, setup.parked, method,        certified,
-          setup.layers,   setup.avoids, setup.behavior};
+  return {setup.priority, method, certified, setup.layers, setup.avoids, setup.behavior};
 }
 
 Vec2 start_velocity(const RobotSetup& setup) {

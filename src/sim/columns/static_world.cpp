@@ -79,14 +79,14 @@ StaticWorld static_world(const Scenario& scenario) {
   const std::uint64_t next = ids.size();
   std::vector<LayerSet> layers;
   for (const RobotSetup& robot : scenario.robots)
-    if (!robot.parked) layers.push_back(robot.layers);
+    if (!is_parked(robot)) layers.push_back(robot.layers);
   return {scenario.obstacles, std::move(ids), next, parked_discs(scenario.robots), layers};
 }
 
 std::vector<LayerSet> layers_of(const Fleet& fleet) {
   std::vector<LayerSet> layers;
   for (const std::uint32_t slot : fleet.slot_of)
-    if (!fleet.conduct[slot].parked) layers.push_back(fleet.conduct[slot].layers);
+    if (!fleet.is_parked(slot)) layers.push_back(fleet.conduct[slot].layers);
   return layers;
 }
 

@@ -29,9 +29,7 @@ StepInProgress step_in_progress(const World& world, std::size_t slot) {
   StepInProgress step{
       clock.from.position, clock.from.velocity, clock.to.velocity - clock.from.velocity,
       clock.begin,         clock.end,           StepInProgress::Kind::held};
-  if (fleet.conduct[slot].parked) {
-    step.kind = StepInProgress::Kind::parked;
-  } else if (fleet.traits[slot].has_model) {
+  if (fleet.traits[slot].has_model) {
     step.kind = StepInProgress::Kind::by_model;
   } else if (adopts_at_once(fleet.conduct[slot].method)) {
     step.kind = StepInProgress::Kind::at_once;
@@ -47,7 +45,6 @@ struct PresentPlace {
 
 // Its present_state(), by the same expressions.
 PresentPlace present_place(const World& world, const StepInProgress& step, std::size_t slot) {
-  if (step.kind == StepInProgress::Kind::parked) return {step.position, step.velocity};
   if (step.kind == StepInProgress::Kind::by_model || step.end == world.now) {
     const MotionState state = present_state(world, slot);
     return {state.position, state.velocity};
@@ -67,7 +64,7 @@ void note_speeds(World& world, std::size_t slot) {
   const double limit = (1.0 + 0.5 * kSpeedRounding) * fleet.traits[slot].max_speed;
   const double fastest =
       std::max(norm_squared(clock.from.velocity), norm_squared(clock.to.velocity));
-  if (!fleet.conduct[slot].parked && !(fastest <= limit * limit))
+  if (!fleet.is_parked(slot) && !(fastest <= limit * limit))
     world.whereabouts.fast_until = std::max(world.whereabouts.fast_until, clock.end);
 }
 

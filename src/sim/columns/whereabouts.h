@@ -14,7 +14,7 @@ struct World;
 
 /// The present step of a robot, as others need it to compute its place.
 struct StepInProgress {
-  enum class Kind : std::uint8_t { held, at_once, by_model, parked };
+  enum class Kind : std::uint8_t { held, at_once, by_model };
   Vec2 position, velocity;     // m, m/s, at its beginning
   Vec2 change;                 // m/s, of the velocity; at_once: m, of the position
   Instant begin = 0, end = 0;  // ns

@@ -23,7 +23,7 @@ void check_values(const World& world, std::span<const RobotId> robots, std::span
                   const char* key, const char* unit) {
   require_as_many(key, values.size(), robots.size());
   for (std::size_t k = 0; k < robots.size(); ++k) {
-    if (world.fleet.conduct[world.fleet.find(robots[k])].parked)
+    if (world.fleet.is_parked(world.fleet.find(robots[k])))
       refuse(name_of(robots[k]), "a value for it", "one that is not parked");
     if (!kAnyValue.contains(values[k].x) || !kAnyValue.contains(values[k].y))
       require(name_of(robots[k]) + ": " + key, values[k], unit);

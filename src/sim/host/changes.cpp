@@ -31,7 +31,7 @@ void check_host_motion(const HostMotion& motion, const RobotSetup& now, const Ro
                        RobotId robot) {
   const std::string name = name_of(robot) + ": ";
   const double speed = motion.ends ? 0.0 : norm(motion.velocity);
-  if (changed.parked) refuse(name + "parked", "true while the host moves it", "false");
+  if (is_parked(changed)) refuse(name + "behavior", "parked", "another one: the host moves it");
   if (!(changed.avoids == now.avoids))
     refuse(name + "avoids", "a change while the host moves it", "the same, nobody");
   if (speed > changed.max_speed * (1.0 + kSpeedRounding))
@@ -45,7 +45,7 @@ bool all_decide(const Fleet& fleet) {
   return std::all_of(fleet.conduct.begin(), fleet.conduct.end(), [&](const Conduct& conduct) {
     const Conduct& first = fleet.conduct.front();
     return conduct.layers == first.layers && conduct.avoids == first.avoids &&
-           conduct.behavior == Behavior::decides && conduct.method == first.method;
+           promises(conduct.behavior) && conduct.method == first.method;
   });
 }
 
@@ -94,8 +94,8 @@ RobotSetup slowing(const RobotSetup& now, RobotSetup changed) {
 // The setup is that of a body: makes it that of its reference, which its base can follow.
 void take_body(const World& world, std::size_t slot, const RobotSetup& now, RobotSetup& changed) {
   const std::string name = name_of(world.fleet.id[slot]) + ": ";
-  if (changed.parked != now.parked)
-    refuse(name + "parked", "a change", "the same in a scene with execution");
+  if (is_parked(changed) != is_parked(now))
+    refuse(name + "behavior", "a change to or from parked", "the same in a scene with execution");
   RobotSetup at_rest = changed;
   at_rest.velocity = {};
   const Bases& bases = world.fleet.bases;
@@ -139,8 +139,8 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup, bool may
   check_same_kind(now, changed, robot);
   if (const HostMotion* own = fleet.moved_by_host(slot))
     check_host_motion(*own, now, changed, robot);
-  if (changed.parked != now.parked) return park_or_free(world, slot, changed);
-  if (now.parked)
+  if (is_parked(changed) != is_parked(now)) return park_or_free(world, slot, changed);
+  if (is_parked(now))
     refuse(name_of(robot), "a change of it", "one that is not parked, or is set free");
   const std::uint32_t floor = floor_for(world, changed.layers);
   KindAlone kind(world, now);
@@ -172,7 +172,7 @@ void change_robot(World& world, RobotId robot, const RobotSetup& setup, bool may
 void set_preferred_velocity(World& world, RobotId robot, std::optional<Vec2> velocity) {
   Fleet& fleet = world.fleet;
   const std::size_t slot = fleet.find(robot);
-  if (fleet.conduct[slot].parked)
+  if (fleet.is_parked(slot))
     refuse(name_of(robot), "a preferred velocity for it", "one that is not parked");
   if (velocity) require(name_of(robot) + ": preferred_velocity", *velocity, "m/s");
   const std::optional<Vec2> before = fleet.told_velocity(slot);

@@ -73,7 +73,7 @@ RobotId add_reference(World& world, const RobotSetup& setup) {
   const RobotId robot{world.next_id};
   catch_up(world);
   check_values(world, setup, robot, world.statics.has_walls);
-  if (setup.parked) {
+  if (is_parked(setup)) {
     add_parked(world, setup, robot);
     return robot;
   }
@@ -113,7 +113,7 @@ RobotId add_robot(World& world, const RobotSetup& setup) {
 void remove_robot(World& world, RobotId robot) {
   const std::size_t slot = world.fleet.find(robot);
   catch_up(world);
-  if (world.fleet.conduct[slot].parked) take_away_parked(world, slot);
+  if (world.fleet.is_parked(slot)) take_away_parked(world, slot);
   if (world.kinds) world.kinds->remove(world.fleet.setup(slot));
   std::vector<Travel>& travels = world.travels;
   if (!travels.empty()) travels.erase(travels.begin() + world.fleet.rank[slot]);
@@ -136,7 +136,7 @@ struct GoalOf {
 
 void set_goal(World& world, RobotId robot, Vec2 goal) {
   const std::size_t slot = world.fleet.find(robot);
-  if (world.fleet.conduct[slot].parked)
+  if (world.fleet.is_parked(slot))
     refuse(name_of(robot), "a goal for it", "one that is not parked");
   require(GoalOf{robot}, goal, "m");           // everything else was checked when the robot came
   if (goal == world.fleet.goal[slot]) return;  // it continues as before
@@ -161,7 +161,7 @@ void move_robot(World& world, RobotId robot, Vec2 position) {
   Fleet& fleet = world.fleet;
   const std::size_t slot = fleet.find(robot);
   catch_up(world);
-  if (fleet.conduct[slot].parked)
+  if (fleet.is_parked(slot))
     refuse(name_of(robot), "another place for it", "one that is not parked");
   RobotSetup setup = fleet.setup(slot);
   setup.position = position;

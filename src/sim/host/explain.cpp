@@ -15,7 +15,7 @@ Explanation Simulation::explain(RobotId robot) const {
   const std::size_t slot = state_->fleet.find(robot);
   if (!state_->fleet.decides(slot))
     throw Error("robot " + std::to_string(present.id.value) + ": found " +
-                (state_->fleet.conduct[slot].parked ? "a parked one" : "one that the host moves") +
+                (state_->fleet.is_parked(slot) ? "a parked one" : "one that the host moves") +
                 ", must be one that decides");
   const Planner& own = planner(robot);
   Explanation explanation{.robot = present.id,

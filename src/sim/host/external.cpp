@@ -219,10 +219,9 @@ void MethodColumns::take(const MethodBatch& batch) {
     max_braking.push_back(braking_limit(robot)), heading.push_back(robot.heading);
   }
   for (const Neighbor& neighbor : batch.neighbor) {
-    const bool moves_on = neighbor.behavior == Behavior::moves_on;
     neighbor_position.push_back(neighbor.position), neighbor_velocity.push_back(neighbor.velocity);
     neighbor_radius.push_back(neighbor.radius);
-    neighbor_max_acceleration.push_back(moves_on ? 0.0 : neighbor.max_acceleration);
+    neighbor_max_acceleration.push_back(shares(neighbor) ? neighbor.max_acceleration : 0.0);
     neighbor_behavior.push_back(static_cast<std::uint8_t>(neighbor.behavior));
   }
   for (const Wall& wall : batch.wall)

@@ -18,7 +18,7 @@ namespace {
 
 void check(const Fleet& fleet, std::size_t slot, Vec2 velocity) {
   const std::string name = name_of(fleet.id[slot]);
-  if (fleet.conduct[slot].parked) refuse(name, "a velocity for it", "one that is not parked");
+  if (fleet.is_parked(slot)) refuse(name, "a velocity for it", "one that is not parked");
   if (!fleet.bases.are_exact())
     refuse(name, "a velocity for it in a scene with execution", "a preferred velocity");
   if (fleet.has_clocks)

@@ -106,7 +106,7 @@ struct Counted {
   [[nodiscard]] bool disc(std::size_t k) const {
     if (layers == kAllLayers || k >= nearby.robots) return true;
     const Conduct& robot = world.fleet.conduct[world.fleet.slot_of[k]];
-    return robot.parked || (robot.layers.bits & layers.bits) != 0;
+    return robot.behavior == Behavior::parked || (robot.layers.bits & layers.bits) != 0;
   }
   [[nodiscard]] bool wall(std::size_t k) const {
     return layers == kAllLayers || heeds(layers, world.statics.obstacles[nearby.obstacle[k]]);

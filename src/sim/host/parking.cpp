@@ -34,7 +34,7 @@ void check_wall(World& world, const Wall& wall, RobotId robot, std::optional<Rob
 
 // The robot's wall at its present place; none if the robot is set free.
 std::optional<Wall> wall_of(const Fleet& fleet, std::size_t slot, const RobotSetup& changed) {
-  if (!changed.parked) return std::nullopt;
+  if (!is_parked(changed)) return std::nullopt;
   return parked_wall(changed.model, fleet.position[slot], disc_radius(changed),
                      fleet.heading[slot]);
 }
@@ -44,9 +44,10 @@ void check(World& world, std::size_t slot, const RobotSetup& changed,
   const RobotId robot = world.fleet.id[slot];
   const double speed = norm(world.fleet.velocity[slot]);
   if (world.fleet.has_clocks)
-    refuse(name_of(robot) + ": parked", "a change while clocks are free", "the same");
+    refuse(name_of(robot) + ": behavior", "a change to or from parked while clocks are free",
+           "the same");
   if (speed > 0.0)
-    refuse(name_of(robot) + ": parked", "a robot at " + text(speed) + " m/s", "one at rest");
+    refuse(name_of(robot) + ": behavior", "parked at " + text(speed) + " m/s", "parked at rest");
   check_values(world, changed, robot, world.statics.has_walls);
   if (!world.kinds) world.kinds.emplace(world.fleet);
   look_around_starts(world);
@@ -62,11 +63,11 @@ FloorRoutes routes_with(const World& world, const StaticWorld& statics, std::siz
                         const RobotSetup& changed) {
   FloorRoutes planned = routes_among(world, statics);
   const auto rank = static_cast<std::size_t>(world.fleet.rank[slot]);
-  const std::size_t floor = changed.parked ? 0 : statics.floor_of(changed.layers).value_or(0);
+  const std::size_t floor = is_parked(changed) ? 0 : statics.floor_of(changed.layers).value_or(0);
   if (!planned.floor.empty()) planned.floor[rank] = static_cast<std::uint32_t>(floor);
   if (planned.travels.empty()) return planned;
   planned.travels[rank] = {};
-  if (!changed.parked)
+  if (!is_parked(changed))
     planned.travels[rank] = planned.routes[floor].plan(
         route_radius(changed.model, disc_radius(changed)), world.fleet.position[slot], changed.goal,
         arrival_distance_of(world.settings, changed));
@@ -104,7 +105,7 @@ void park_or_free(World& world, std::size_t slot, RobotSetup changed) {
   const double sensing_radius = sensing_radius_with(world, changed);
   const std::uint32_t pace = world.pace_of(changed, true);
   std::vector<LayerSet> layers = layers_of(fleet);
-  if (!changed.parked) layers.push_back(changed.layers);
+  if (!is_parked(changed)) layers.push_back(changed.layers);
   StaticWorld statics = beside(world, fleet.parked_walls(slot, wall), layers);
   FloorRoutes planned = routes_with(world, statics, slot, changed);
   world.claims.resize(std::max(world.claims.size(), statics.floors.size()));

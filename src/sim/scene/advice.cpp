@@ -25,7 +25,7 @@ template <class Measure>
 WorstRobot worst(const std::vector<RobotSetup>& robots, Measure measure) {
   WorstRobot result;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const double value = robots[i].parked ? 0.0 : measure(robots[i]);
+    const double value = is_parked(robots[i]) ? 0.0 : measure(robots[i]);
     if (value > result.value) result = {i, value};
   }
   return result;
@@ -173,9 +173,7 @@ void advise_crowding(const Scenario& scenario, std::vector<std::string>& lines) 
 
 /// docs/navigation.md, "Inside of walls": no direction then surely leads away from walls.
 void advise_localization(const Scenario& scenario, std::vector<std::string>& lines) {
-  const bool has_walls =
-      !scenario.obstacles.empty() || std::any_of(scenario.robots.begin(), scenario.robots.end(),
-                                                 [](const RobotSetup& r) { return r.parked; });
+  const bool has_walls = !scenario.obstacles.empty() || !parked_discs(scenario.robots).empty();
   const double error = planner_options(scenario).localization_error;
   const WorstRobot lost =
       worst(scenario.robots, [&](const RobotSetup& r) { return 2.0 * error / disc_radius(r); });

@@ -55,7 +55,7 @@ bool is_mixed(const Scenario& scenario) {
   const RobotSetup usual;
   return std::any_of(scenario.robots.begin(), scenario.robots.end(), [&](const RobotSetup& robot) {
     return !(robot.layers == usual.layers && robot.avoids == usual.avoids &&
-             robot.behavior == usual.behavior && method_of(scenario, robot) == scenario.method);
+             promises(robot.behavior) && method_of(scenario, robot) == scenario.method);
   });
 }
 

@@ -23,7 +23,7 @@ CertificateLaw certificate_law(const Scenario& scenario);
 /// Returns whether the robot keeps the certificate; where no robot does, whether it would. A parked
 /// robot decides nothing, so it keeps none.
 inline bool keeps(const Scenario& scenario, const RobotSetup& robot, const CertificateLaw& law) {
-  if (robot.parked) return false;
+  if (is_parked(robot)) return false;
   return law.kind == Certificate::none || certificate_of(scenario, robot) != Certificate::none;
 }
 

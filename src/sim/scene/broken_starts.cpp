@@ -99,20 +99,16 @@ std::optional<Expectation> counted_on(const Starter& b, const Starter& a, const 
     return scenario.robots[static_cast<std::size_t>(starter.source)];
   };
   const RobotSetup& own = robot(a);
-  if (!own.parked && !keeps(scenario, own, starts.law)) return std::nullopt;
+  if (!is_parked(own) && !keeps(scenario, own, starts.law)) return std::nullopt;
   if (b.source < 0) return Expectation::moves_on;
   const RobotSetup& other = robot(b);
-  if (own.parked || other.parked) {
-    const bool some = own.parked == other.parked || keeps(scenario, own, starts.law) ||
+  if (is_parked(own) || is_parked(other)) {
+    const bool some = is_parked(own) == is_parked(other) || keeps(scenario, own, starts.law) ||
                       keeps(scenario, other, starts.law);
     return some ? std::optional(Expectation::decides) : std::nullopt;
   }
   const UsualMethod usual = usual_method(scenario);
   return expected_of(conduct_of(other, usual), conduct_of(own, usual));
-}
-
-bool promises(const Starter& starter, const Scenario& scenario) {
-  return scenario.robots[static_cast<std::size_t>(starter.source)].behavior == Behavior::decides;
 }
 
 BrakingPose start_pose(const RobotSetup& robot, const CertificateLaw& law) {
@@ -193,8 +189,8 @@ void examine_pair(const Starter* a, const Starter* b, Starts& starts) {
   if (b->source >= 0 && (a->source < 0 || b->source < a->source)) std::swap(a, b);
   if (a->source < 0) return;
   // if one of the two promises nothing, the other one must keep clear
-  if (b->source >= 0 && !promises(*a, starts.scenario) && counted_on(*a, *b, starts))
-    std::swap(a, b);
+  const Behavior own = starts.scenario.robots[static_cast<std::size_t>(a->source)].behavior;
+  if (b->source >= 0 && !promises(own) && counted_on(*a, *b, starts)) std::swap(a, b);
   if (const auto expected = counted_on(*b, *a, starts)) {
     examine(*a, *b, *expected, starts);
   } else if (b->source >= 0) {

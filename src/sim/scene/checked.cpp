@@ -63,7 +63,7 @@ CheckedRobot checked_robot(const RobotSetup& robot) {
       .arrival_distance = robot.arrival_distance,
       .kinematics = std::visit(
           [](const auto& model) -> CheckedKinematics { return kinematics_of(model); }, robot.model),
-      .parked = robot.parked,
+      .parked = is_parked(robot),
       .layers = robot.layers.bits,
       .avoids = robot.avoids.bits,
       .max_braking = robot.max_braking,

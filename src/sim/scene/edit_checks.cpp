@@ -75,7 +75,7 @@ void check_values(const World& world, const RobotSetup& setup, RobotId robot, bo
 RobotSetup standing(const World& world, std::size_t slot) {
   RobotSetup setup = world.fleet.setup(slot);
   setup.position = setup.velocity = {};
-  if (setup.parked) setup.position = setup.goal;
+  if (is_parked(setup)) setup.position = setup.goal;
   return setup;
 }
 
@@ -135,13 +135,13 @@ void check_declared(const World& world, const RobotSetup& setup, RobotId robot) 
 // Refuses a robot that flies, or a robot beside it, of which nothing could be promised.
 void check_flights(const World& world, const RobotSetup& setup, RobotId robot) {
   const Fleet& fleet = world.fleet;
-  if (setup.parked || (fleet.flights.empty() && can_rest(setup.model))) return;
+  if (is_parked(setup) || (fleet.flights.empty() && can_rest(setup.model))) return;
   if (!fleet.flights.empty() && setup.behavior != Behavior::decides)
     refuse(name_of(robot) + ": behavior", to_string(setup.behavior),
            std::string("decides") + kAmongFlights);
   const bool promised =
       std::all_of(fleet.conduct.begin(), fleet.conduct.end(),
-                  [](const Conduct& conduct) { return conduct.behavior == Behavior::decides; });
+                  [](const Conduct& conduct) { return promises(conduct.behavior); });
   if (!can_rest(setup.model) && !(promised && setup.behavior == Behavior::decides))
     refuse(name_of(robot) + ": model", "one that cannot stop",
            "another one among robots that cooperate");
@@ -185,7 +185,7 @@ void check_certificate(const World& world, const StaticObstacle& obstacle, const
   std::vector<MotionState> states;
   for (const std::uint32_t slot : fleet.slot_of) {
     scene.robots.push_back(fleet.setup(slot));
-    scene.robots.back().parked = scene.robots.back().parked || fleet.id[slot] == own;
+    if (fleet.id[slot] == own) scene.robots.back().behavior = Behavior::parked;
     states.push_back(fleet.state(slot));
   }
   BrokenAssumptions broken;
@@ -256,8 +256,7 @@ double sensing_radius_among(const World& world, const std::vector<MovingObstacle
 double sensing_radius_with(const World& world, const RobotSetup& setup) {
   if (world.settings.sensing_radius || is_known(world, setup)) return world.sensing_radius;
   Scenario scene = present_scene(world);
-  const bool is_first = std::all_of(scene.robots.begin(), scene.robots.end(),
-                                    [](const RobotSetup& robot) { return robot.parked; });
+  const bool is_first = std::all_of(scene.robots.begin(), scene.robots.end(), is_parked);
   scene.robots.push_back(setup);
   const double needed = sensing_radius_of(scene);
   return is_first ? needed : std::max(world.sensing_radius, needed);

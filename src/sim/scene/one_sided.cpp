@@ -27,7 +27,7 @@ struct Example {
 std::vector<Example> examples_of(std::span<const RobotSetup> robots) {
   std::vector<Example> examples;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (robots[i].parked) continue;
+    if (is_parked(robots[i])) continue;
     const AvoidanceKind own{robots[i].layers.bits, robots[i].avoids.bits,
                             !can_rest(robots[i].model), model_traits(robots[i].model).swings};
     const bool known = std::any_of(examples.begin(), examples.end(),

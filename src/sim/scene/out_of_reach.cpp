@@ -16,7 +16,7 @@ std::vector<OutOfReach> out_of_reach(const Scenario& scenario) {
     all.emplace_back(RouteRules{.routes = false}, floor.walls, std::vector<Wall>());
   for (std::size_t k = 0; k < scenario.robots.size(); ++k) {
     const RobotSetup& robot = scenario.robots[k];
-    if (robot.parked) continue;
+    if (is_parked(robot)) continue;
     Routes& routes = all[statics.floor_of(robot.layers).value_or(0)];
     if (routes.empty()) continue;
     const double radius = route_radius(robot.model, disc_radius(robot));

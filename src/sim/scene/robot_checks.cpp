@@ -103,7 +103,7 @@ void check_model(std::size_t i, const RobotSetup& robot, double time_step, const
                " m/s, or left out: preferred_speed");
   if (robot.max_braking)
     refuse(at("max_braking"), text(*robot.max_braking), "left out: it cannot brake");
-  if (robot.parked) refuse(at("parked"), "true", "false: it cannot stop");
+  if (is_parked(robot)) refuse(at("behavior"), "parked", "another one: it cannot stop");
   if (robot.start_time != 0.0)
     refuse(at("start_time"), text(robot.start_time), "left out: it cannot wait at its start");
 }
@@ -112,7 +112,7 @@ void check_model(std::size_t i, const RobotSetup& robot, double time_step, const
 
 void check_robot(std::size_t i, const RobotSetup& robot, double time_step) {
   require_ranges(robot, PlaceOf{"robots", i});
-  if (robot.parked) check_parked(i, robot);
+  if (is_parked(robot)) check_parked(i, robot);
   require(Place{"robots", i, "heading"}, robot.heading, kAngle, "rad");
   check_footprint(i, robot);
   std::visit([&](const auto& model) { check_model(i, robot, time_step, model); }, robot.model);

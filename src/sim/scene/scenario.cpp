@@ -55,7 +55,7 @@ void check_memory(const Scenario& scenario, const PlannerOptions& options) {
   const double least = past / static_cast<double>(kMostRemembered);
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
     const double step = time_step_of(scenario, scenario.robots[i]);
-    if (scenario.robots[i].parked || step >= least) continue;
+    if (is_parked(scenario.robots[i]) || step >= least) continue;
     refuse(std::string(Place{"robots", i, "time_step"}), text(step),
            ">= " + text(least) + " s, of which " + std::to_string(kMostRemembered) +
                " are in the " + text(past) + " s that sensing looks back");
@@ -72,7 +72,7 @@ void check_clocks(const Scenario& scenario, const PlannerOptions& options) {
     const Place place{"robots", i, "time_step"};
     if (robot.time_step && !is_free)
       refuse(std::string(place), text(*robot.time_step), "left out where clock is common");
-    if (!is_free || robot.parked) continue;
+    if (!is_free || is_parked(robot)) continue;
     const double step = time_step_of(scenario, robot);
     if (robot.time_step) check_clock(place, step);
     if (step > options.longest_step)
@@ -132,12 +132,10 @@ void check_braking(const Scenario& scenario, const PlannerOptions& options) {
 // The certificate tests the sides of a step's triangle, not its interior: no wall may hide there.
 void check_beside_walls(const Scenario& scenario, Certificate certificate) {
   const std::vector<RobotSetup>& robots = scenario.robots;
-  const bool has_walls =
-      !scenario.obstacles.empty() ||
-      std::any_of(robots.begin(), robots.end(), [](const RobotSetup& r) { return r.parked; });
+  const bool has_walls = !scenario.obstacles.empty() || !parked_discs(robots).empty();
   for (std::size_t i = 0; i < robots.size() && has_walls; ++i) {
     const RobotSetup& robot = robots[i];
-    if (robot.parked || certificate_of(scenario, robot) != certificate) continue;
+    if (is_parked(robot) || certificate_of(scenario, robot) != certificate) continue;
     const double time_step = time_step_of(scenario, robot);
     const double most = std::min(change_limit(robot) * time_step, 2.0 * robot.max_speed);
     const double height = 0.25 * most * time_step;
@@ -157,7 +155,7 @@ void check_flights(const Scenario& scenario, const PlannerOptions& options) {
   if (first == robots.end()) return;
   const std::string among = kAmongFlights;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (robots[i].behavior != Behavior::decides)
+    if (!promises(robots[i].behavior))
       refuse(std::string(Place{"robots", i, "behavior"}), to_string(robots[i].behavior),
              "decides" + among + ", which cannot stop for it");
   }

@@ -18,7 +18,7 @@ double longest_step_of(const Scenario& scenario) {
   if (scenario.longest_step) return *scenario.longest_step;
   double longest = 0.0;
   for (const RobotSetup& robot : scenario.robots) {
-    if (!robot.parked) longest = std::max(longest, time_step_of(scenario, robot));
+    if (!is_parked(robot)) longest = std::max(longest, time_step_of(scenario, robot));
   }
   return longest > 0.0 ? longest : scenario.time_step;
 }
@@ -29,7 +29,7 @@ SensingError unforeseen(const Scenario& scenario) {
   const double longest = longest_step_of(scenario);
   SensingError most;
   for (const RobotSetup& robot : scenario.robots) {
-    if (robot.parked) continue;
+    if (is_parked(robot)) continue;
     const SensingError own = unforeseen(robot.model, robot.max_acceleration, longest);
     most.position = std::max(most.position, own.position);
     most.velocity = std::max(most.velocity, own.velocity);
@@ -110,7 +110,7 @@ namespace avo {
 std::vector<Wall> parked_discs(const std::vector<RobotSetup>& robots) {
   std::vector<Wall> discs;
   for (const RobotSetup& robot : robots) {
-    if (robot.parked) discs.push_back(parked_wall(robot));
+    if (is_parked(robot)) discs.push_back(parked_wall(robot));
   }
   return discs;
 }
@@ -130,7 +130,7 @@ SensingError declared_error(const Scenario& scenario) {
   if (scenario.sensing.delay > 0) {
     double strongest = 0.0;  // m/s²
     for (const RobotSetup& robot : scenario.robots)
-      if (!robot.parked) strongest = std::max(strongest, top_acceleration(traits_of(robot)));
+      if (!is_parked(robot)) strongest = std::max(strongest, top_acceleration(traits_of(robot)));
     for (const MovingObstacle& obstacle : scenario.moving_obstacles)
       strongest = std::max(strongest, obstacle.max_deviation);
     const double time = scenario.sensing.delay * scenario.time_step;

@@ -153,7 +153,7 @@ std::optional<SensingNeed> sensing_need(const Scenario& scenario, const Certific
   };
   std::vector<UnseenPart> parts;
   for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
-    if (!scenario.robots[i].parked) parts.push_back(part_of(scenario, i, law));
+    if (!is_parked(scenario.robots[i])) parts.push_back(part_of(scenario, i, law));
   }
   if (is_mixed(scenario)) {
     take_by_kind(scenario, law, parts, take);

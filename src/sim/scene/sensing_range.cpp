@@ -25,7 +25,7 @@ constexpr std::size_t kSampled = 200;  // number of robots for which neighbors a
 double mean_neighbors(const Scenario& scenario, double radius) {
   std::vector<Vec2> places;
   for (const RobotSetup& robot : scenario.robots)
-    if (!robot.parked) places.push_back(disc_center(robot));
+    if (!is_parked(robot)) places.push_back(disc_center(robot));
   const std::size_t sampled = std::min(places.size(), kSampled);
   std::int64_t near = 0;
   for (std::size_t k = 0; k < sampled; ++k) {
@@ -57,7 +57,7 @@ Largest largest_of(const Scenario& scenario) {
   Largest largest;
   std::optional<double> priority;  // of the first one
   for (const RobotSetup& robot : scenario.robots) {
-    if (robot.parked) continue;
+    if (is_parked(robot)) continue;
     largest.radius = std::max(largest.radius, disc_radius(robot));
     largest.speed = std::max(largest.speed, robot.max_speed);
     if (!priority) priority = robot.priority;
@@ -85,7 +85,7 @@ double rules_range(const Scenario& scenario) {
   const Largest largest = largest_of(scenario);
   double range = 0.0;
   for (const RobotSetup& setup : scenario.robots) {
-    if (setup.parked) continue;
+    if (is_parked(setup)) continue;
     Robot robot;
     robot.radius = disc_radius(setup), robot.max_speed = setup.max_speed;
     robot.max_acceleration = setup.max_acceleration, robot.max_braking = setup.max_braking;

@@ -82,7 +82,7 @@ class Reach {
 // any disc does.
 RobotSetup committed(const Fleet& fleet, std::size_t slot) {
   RobotSetup setup = fleet.setup(slot);
-  if (setup.parked) return setup;
+  if (is_parked(setup)) return setup;
   const MotionState begin = fleet.has_clocks ? fleet.clock_of(slot).to : fleet.state(slot);
   if (moves_along_heading(setup.model) && !fleet.has_clocks) return setup;
   if (!moves_along_heading(setup.model)) {
@@ -134,7 +134,7 @@ std::optional<BrokenStart> find_in_motion(const World& world, const StartCompany
     const std::size_t slot = company.slot[k];
     const RobotSetup& other = company.scene.robots[k + 1];
     const OwnClock& clock = fleet.clock_of(slot);
-    if (other.parked || clock.end <= world.now || !keep_apart(own, other)) continue;
+    if (is_parked(other) || clock.end <= world.now || !keep_apart(own, other)) continue;
     if (!keeps_any(world, own) && !keeps_any(world, other)) continue;
     const double left = seconds(clock.end - world.now);
     const double bow =

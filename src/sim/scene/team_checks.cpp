@@ -19,7 +19,7 @@ void check_members(const std::string& path, const Team& team, const Scenario& sc
       refuse(path + "members", "robot " + number,
              "0 to " + std::to_string(scenario.robots.size() - 1));
     const auto k = static_cast<std::size_t>(member.robot.value);
-    if (scenario.robots[k].parked)
+    if (is_parked(scenario.robots[k]))
       refuse(path + "members", "robot " + number + ", which is parked", "robots that move");
     if (is_member[k]) refuse(path + "members", "robot " + number + " again", "in one team at most");
     is_member[k] = true;

@@ -29,7 +29,7 @@ double usual_reach(const World& world) {
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
     Peers own;
     include(own, planner, limits_of(fleet, slot));
-    reach.push_back(fleet.conduct[slot].parked ? 0.0 : own.reach);
+    reach.push_back(fleet.is_parked(slot) ? 0.0 : own.reach);
   }
   const auto last = reach.begin() + static_cast<std::ptrdiff_t>(few);
   std::nth_element(reach.begin(), last, reach.end(), std::greater<>());
@@ -38,7 +38,7 @@ double usual_reach(const World& world) {
 }
 
 bool reaches_beyond(const World& world, std::size_t slot, double reach) {
-  if (reach == kInfinity || world.fleet.conduct[slot].parked) return false;
+  if (reach == kInfinity || world.fleet.is_parked(slot)) return false;
   Peers own;
   include(own, world.certified_planner(), limits_of(world.fleet, slot));
   return own.reach > reach;
@@ -114,7 +114,7 @@ Peers whom_they_meet(const World& world, const Pace& pace, bool with_far) {
   const Fleet& fleet = world.fleet;
   Peers met;
   for (std::size_t slot = 0; slot < fleet.size(); ++slot) {
-    if (fleet.conduct[slot].parked || (!with_far && reaches_far(world, slot))) continue;
+    if (fleet.is_parked(slot) || (!with_far && reaches_far(world, slot))) continue;
     include(met, pace.planner, limits_of(fleet, slot));
   }
   return met;

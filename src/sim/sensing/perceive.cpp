@@ -39,7 +39,7 @@ std::vector<std::int64_t> wall_sources(const World& world, const Floor& floor) {
     sources.insert(sources.end(), own, static_cast<std::int64_t>(statics.id[k].value));
   }
   for (const std::uint32_t slot : world.fleet.slot_of)
-    if (world.fleet.conduct[slot].parked)
+    if (world.fleet.is_parked(slot))
       sources.push_back(-1 - static_cast<std::int64_t>(world.fleet.id[slot].value));
   return sources;
 }
@@ -88,7 +88,7 @@ Simulation::Perception Simulation::perceive(RobotId robot) const {
   Worker alone;
   std::vector<int> sources;
   alone.sources = &sources;
-  if (state.fleet.conduct[slot].parked)
+  if (state.fleet.is_parked(slot))
     alone.tile.robots.neighbors.push_back({&alone.tile.neighbors, 0, 0});
   else
     sense_everyone(state, slot, alone);

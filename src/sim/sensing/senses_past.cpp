@@ -28,7 +28,7 @@ double time_remembered(const Scenario& scenario, double longest_step) {
 std::size_t knots_needed(const Scenario& scenario, double longest_step, const RobotSetup& robot) {
   constexpr std::size_t kEnds = 4;  // of the steps in which the remembered time begins and ends
   if (!senses_by_time(scenario)) return 0;
-  if (robot.parked) return kEnds;
+  if (is_parked(robot)) return kEnds;
   const double steps = time_remembered(scenario, longest_step) / time_step_of(scenario, robot);
   return kEnds + static_cast<std::size_t>(steps);
 }

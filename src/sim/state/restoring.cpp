@@ -140,7 +140,7 @@ std::vector<Travel> travels_of(const SavedState& state, const StaticWorld& stati
   travels.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     const RobotSetup& setup = state.scene.robots[k];
-    if (setup.parked) {
+    if (is_parked(setup)) {
       travels.emplace_back();
       continue;
     }

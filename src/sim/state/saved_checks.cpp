@@ -115,7 +115,7 @@ void check_told(const SavedState& state) {
   for (const SavedTold& told : state.told) {
     while (k < state.robots.size() && state.robots[k].id.value < told.robot) ++k;
     if (k == state.robots.size() || state.robots[k].id.value != told.robot ||
-        state.scene.robots[k].parked)
+        is_parked(state.scene.robots[k]))
       refuse_saved("a preferred velocity of robot " + std::to_string(told.robot),
                    "one of a robot that moves");
     if (!kAnyValue.contains(told.velocity.x) || !kAnyValue.contains(told.velocity.y))
@@ -131,7 +131,7 @@ void check_host_motions(const SavedState& state) {
     while (k < state.robots.size() && state.robots[k].id.value < id) ++k;
     const bool is_known = k < state.robots.size() && state.robots[k].id.value == id;
     const RobotSetup setup = is_known ? state.scene.robots[k] : RobotSetup{};
-    if (!is_known || setup.parked || !is_holonomic(setup.model) || setup.avoids.bits != 0 ||
+    if (!is_known || is_parked(setup) || !is_holonomic(setup.model) || setup.avoids.bits != 0 ||
         state.scene.clock == Clock::free || !state.bases.are_exact())
       refuse_saved("a velocity of robot " + std::to_string(id), "one of a robot that hosts move");
     if (!kAnyValue.contains(motion.velocity.x) || !kAnyValue.contains(motion.velocity.y))
@@ -154,8 +154,8 @@ void check_clocks(const SavedState& state) {
     const RobotSetup& robot = state.scene.robots[k];
     sound = clock.begin >= 0 && clock.begin <= state.now && clock.end >= state.now &&
             is_whole(clock.from) && is_whole(clock.to);
-    if (robot.parked) sound = sound && clock.end == std::numeric_limits<Instant>::max();
-    if (robot.parked || !sound) continue;
+    if (is_parked(robot)) sound = sound && clock.end == std::numeric_limits<Instant>::max();
+    if (is_parked(robot) || !sound) continue;
     const auto step = whole_nanoseconds(time_step_of(state.scene, robot));
     sound = step && clock.end - clock.begin <= *step &&
             (!clock.has_decided || clock.end - clock.begin == *step);
@@ -220,7 +220,7 @@ void check_states(const SavedState& state) {
   check_host_motions(state);
   for (std::size_t k = 0; k < state.robots.size(); ++k) {
     const SavedRobot& robot = state.robots[k];
-    if (!state.scene.robots[k].parked) continue;
+    if (!is_parked(state.scene.robots[k])) continue;
     const RobotSetup& setup = state.scene.robots[k];
     const Vec2 center = disc_center(setup.model, setup.goal, robot.heading);
     if (!(robot.position == center && robot.velocity == Vec2{}))

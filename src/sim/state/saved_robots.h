@@ -71,7 +71,7 @@ template <bool kReads>
 void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
   const auto method = static_cast<std::uint64_t>(setup.method.value_or(Method{}));
   std::uint64_t kinds =
-      (setup.parked ? 1U : 0U) | (setup.method ? 2U | method << 8 : 0U) |
+      (is_parked(setup) ? 1U : 0U) | (setup.method ? 2U | method << 8 : 0U) |
       (setup.time_horizon ? 4U : 0U) | (setup.behavior == Behavior::cooperates ? 8U : 0U) |
       (setup.arrival_distance ? 16U : 0U) | (setup.behavior == Behavior::moves_on ? 32U : 0U) |
       late_kinds(setup, kLateFields);
@@ -84,7 +84,7 @@ void describe_kinds(Archive<kReads>& archive, RobotSetup& setup) {
     if ((kinds & 0xc0) != 0 || (kinds & 40) == 40 || (!has_method && kinds >> 8 != 0) ||
         is_more_than_parked || kinds >> 8 >= kNames<Method>.size())
       refuse_saved("the kinds of a robot " + std::to_string(kinds), "known ones");
-    setup.parked = (kinds & 1) != 0;
+    if ((kinds & 1) != 0) setup.behavior = Behavior::parked;
     if ((kinds & 8) != 0) setup.behavior = Behavior::cooperates;
     if ((kinds & 32) != 0) setup.behavior = Behavior::moves_on;
     if (has_method) setup.method = static_cast<Method>(kinds >> 8);
@@ -109,7 +109,7 @@ void describe(Archive<kReads>& archive, RobotSetup& setup, SavedRobot& state) {
   archive.word(layers);
   setup.layers.bits = static_cast<std::uint32_t>(layers >> 32);
   setup.avoids.bits = static_cast<std::uint32_t>(layers);
-  if (kReads && setup.parked) setup.position = setup.goal;
+  if (kReads && is_parked(setup)) setup.position = setup.goal;
   describe(archive, setup.model);
 
   describe(archive, state.id.value), describe(archive, state.position);

@@ -20,7 +20,7 @@ TEST(ContactEvents, are_contacts_in_motion_and_at_rest) {
   scene.method = Method::avo_paper;
   scene.sensing_radius = 1e-3;  // nobody evades
   RobotSetup parked = robot_at({0, 10}, {0, 10});
-  parked.parked = true;
+  parked.behavior = Behavior::parked;
   scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({-10, -10}, {90, -10}), parked};
   scene.robots[1].velocity = {2, 0}, scene.robots[1].max_acceleration = 1e-3;
   scene.moving_obstacles = {mover({-6, 0.2}, {1, 0}, 0.5), mover({6, 0}, {-1, 0}, 0.4),

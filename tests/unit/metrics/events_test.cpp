@@ -69,7 +69,7 @@ TEST(Events, are_robots_that_come_and_go) {
   Host host(scene);
   host.simulation.remove_robot({1});
   const RobotId there = host.simulation.add_robot(robot_at({-9, -5}, {-9, -5}));
-  parked.parked = true;
+  parked.behavior = Behavior::parked;
   const RobotId still = host.simulation.add_robot(parked);
   EXPECT_EQ(there.value, 3u);
   EXPECT_EQ(still.value, 4u);

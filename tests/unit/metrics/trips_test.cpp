@@ -51,7 +51,7 @@ TEST(Trips, of_a_robot_alone) {
 
 TEST(Trips, of_nobody) {
   RobotSetup parked = robot_at({0, 0}, {0, 0});
-  parked.parked = true;
+  parked.behavior = Behavior::parked;
   const RunMetrics m = run(alone({parked}), 3).metrics;
   EXPECT_EQ(m, RunMetrics{});
 }

@@ -209,5 +209,47 @@ TEST(Movers, behavior_says_who_decides) {
   EXPECT_GT(different, 100);
 }
 
+TEST(Movers, a_parked_one_moves_on_and_stands) {
+  Random random(22);
+  int different = 0;
+  for (int k = 0; k < 2000 && !testing::Test::HasFailure(); ++k) {
+    test::Crowd crowd = test::any_crowd(random, k, -0.2);
+    if (k % 2 == 0) crowd.options = default_options(Method::avo);
+    Neighbor& other = crowd.neighbors.emplace_back(
+        test::random_neighbor(random, crowd.robot, k % 4 == 0 ? -0.2 : 0.01));
+    other.velocity = other.acceleration = {}, other.max_deviation = other.likely_deviation = 0.0;
+    const auto plan = [&](Behavior behavior) {
+      other.behavior = behavior;
+      return test::plan_of(crowd);
+    };
+    const Plan one = plan(Behavior::moves_on), same = plan(Behavior::parked);
+    EXPECT_NE(one.status, PlanStatus::invalid_input) << crowd;
+    EXPECT_TRUE(same.next_velocity == one.next_velocity && same.status == one.status &&
+                same.state == one.state && same.neighbor == one.neighbor &&
+                same.violation == one.violation)
+        << crowd;
+    different += plan(Behavior::decides).next_velocity == one.next_velocity ? 0 : 1;
+  }
+  EXPECT_GT(different, 100);
+}
+
+TEST(Movers, a_parked_one_that_moves_is_invalid) {
+  const std::vector<TimedPlace> places{{0.0, {3, 2}}, {1.0, {3, 3}}};
+  const Trajectory there(places);
+  const auto status = [&](auto change) {
+    Neighbor parked{.position = {3, 2}, .behavior = Behavior::parked};
+    change(parked);
+    PlanWorkspace workspace;
+    return Planner(default_options(Method::avo)).plan({}, std::vector{parked}, workspace).status;
+  };
+  EXPECT_EQ(status([](Neighbor&) {}), PlanStatus::optimal);
+  EXPECT_EQ(status([](Neighbor& b) { b.velocity.x = 1e-9; }), PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& b) { b.acceleration.y = 0.1; }), PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& b) { b.max_deviation = 0.1; }), PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& b) { b.likely_deviation = 0.1; }), PlanStatus::invalid_input);
+  EXPECT_EQ(status([&](Neighbor& b) { b.trajectory = &there; }), PlanStatus::invalid_input);
+  EXPECT_EQ(status([](Neighbor& b) { b.loiter.emplace(); }), PlanStatus::invalid_input);
+}
+
 }  // namespace
 }  // namespace avo

@@ -50,7 +50,7 @@ RobotSetup any_robot(Random& random, double size, double time_step) {
   robot.heading = random.below(4) == 0 ? random.uniform(-1e6, 1e6) : random.uniform(-3, 3);
   if (random.below(3) == 0) robot.max_braking = random.uniform(0.1, 1.0) * robot.max_acceleration;
   robot.model = any_model(random, size, robot);
-  if (random.below(8) == 0) robot.parked = true, robot.goal = robot.position;
+  if (random.below(8) == 0) robot.behavior = Behavior::parked, robot.goal = robot.position;
   return robot;
 }
 
@@ -78,10 +78,10 @@ Scenario any_scene(Random& random) {
   for (int k = 2 + random.below(6); k > 0; --k) {
     RobotSetup robot = any_robot(random, size, scene.time_step);
     // one goal for some of them, beside which the others stay
-    if (!scene.robots.empty() && random.below(2) == 0 && !robot.parked)
+    if (!scene.robots.empty() && random.below(2) == 0 && !is_parked(robot))
       robot.goal = scene.robots[0].goal - origin;
     robot.position = origin + robot.position;
-    robot.goal = robot.parked ? robot.position : origin + robot.goal;
+    robot.goal = is_parked(robot) ? robot.position : origin + robot.goal;
     scene.robots.push_back(robot);
   }
   return scene;
@@ -115,7 +115,7 @@ TEST(Saving, parked_robots_alone_are_read) {
   scene.sensing.delay = 1;
   Simulation simulation(scene, 1);
   RobotSetup parked;
-  parked.parked = true;
+  parked.behavior = Behavior::parked;
   parked.max_acceleration = 7.0;
   simulation.add_robot(parked);
   Simulation restored(simulation.save(), 1);

@@ -16,7 +16,8 @@ inline Scenario with_clocks(Random& random, Scenario scene) {
   scene.clock = Clock::free;
   scene.longest_step = 0.2;
   for (RobotSetup& robot : scene.robots) {
-    if (!robot.parked && random.below(3) == 0) robot.time_step = random.below(2) == 0 ? 0.05 : 0.2;
+    if (!is_parked(robot) && random.below(3) == 0)
+      robot.time_step = random.below(2) == 0 ? 0.05 : 0.2;
   }
   return scene;
 }

@@ -47,7 +47,7 @@ void edit(Random& random, Simulation& simulation) {
   if (kind == 2) return simulation.remove_robot(robot);
   const std::size_t index = simulation.fleet().id.size();
   for (std::size_t k = 0; k < index; ++k) {
-    if (simulation.fleet().id[k] == robot && simulation.fleet().setup[k].parked) return;
+    if (simulation.fleet().id[k] == robot && is_parked(simulation.fleet().setup[k])) return;
   }
   simulation.set_goal(robot, somewhere(random, 0.0, 20.0));
 }
@@ -56,7 +56,7 @@ void edit(Random& random, Simulation& simulation) {
 void mix_conduct(Random& random, Scenario& scene) {
   for (RobotSetup& robot : scene.robots) {
     if (random.below(8) == 0) {
-      robot.parked = true;
+      robot.behavior = Behavior::parked;
       robot.goal = robot.position;
       robot.velocity = {};
     } else if (random.below(3) == 0) {

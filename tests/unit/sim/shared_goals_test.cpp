@@ -8,6 +8,7 @@
 #include "avo/simulation.h"
 #include "perceived.h"
 #include "scenes.h"
+#include "support/generators.h"
 
 namespace avo {
 namespace {
@@ -143,6 +144,64 @@ TEST(SharedGoals, are_perceived_as_they_are_stepped_and_restored) {
   Simulation restored(simulation.save(), 1);
   run(simulation, 50), run(restored, 50);
   EXPECT_EQ(simulation.state_hash(), restored.state_hash());
+}
+
+// Robot 1 finds no room at the goal that it shares, and rests beside it, on the goal of robot 2.
+Scenario on_a_third_goal() {
+  Scenario scene;
+  scene.robots = {robot_at({-6, 0}, {0, 0}), robot_at({9, 0}, {0.1, 0}),
+                  robot_at({40, 0}, {1.4, 0})};
+  scene.arrival_distance = 0.05;
+  return scene;
+}
+
+TEST(SharedGoals, are_those_on_which_robots_rest_that_had_no_room) {
+  Simulation simulation(on_a_third_goal(), 1);
+  run(simulation, 400);
+  ASSERT_LT(norm(simulation.fleet().position[1] - Vec2{1.4, 0}), 1.0);
+  EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_EQ(simulation.fleet().velocity[2], Vec2{});
+  EXPECT_GT(distance_to_goal(simulation, 2), 0.4) << "robot 1 rests there";
+  simulation.set_goal({1}, {0, 20});
+  run(simulation, 250);
+  EXPECT_TRUE(simulation.all_at_goal());
+  EXPECT_LT(distance_to_goal(simulation, 2), 1e-9) << "robot 1 has left";
+}
+
+TEST(SharedGoals, that_are_taken_are_restored) {
+  for (const Clock clock : {Clock::common, Clock::free}) {
+    Scenario scene = on_a_third_goal();
+    scene.clock = clock;
+    if (clock == Clock::free) scene.robots[1].time_step = 0.07;
+    Simulation simulation(scene, 1);
+    while (simulation.time() < 23.0) {
+      Simulation restored(simulation.save(), 1);
+      run(simulation, 7), run(restored, 7);
+      ASSERT_EQ(simulation.state_hash(), restored.state_hash()) << simulation.time();
+    }
+    while (simulation.time() < 40.0) simulation.step();
+    EXPECT_TRUE(simulation.all_at_goal());
+  }
+}
+
+// Goals at random in a square of 4 m: robots rest on the goals of others.
+TEST(SharedGoals, differ_and_overlap) {
+  for (const std::uint64_t seed : {8U, 9U, 16U, 19U, 20U}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    test::Random random(seed);
+    Scenario scene;
+    while (scene.robots.size() < 12) {
+      const Vec2 from{random.uniform(-15, 15), random.uniform(-15, 15)};
+      const bool is_free =
+          std::all_of(scene.robots.begin(), scene.robots.end(),
+                      [&](const RobotSetup& other) { return norm(other.position - from) > 1.3; });
+      const Vec2 goal{random.uniform(-2, 2), random.uniform(-2, 2)};
+      if (norm(from) > 4.0 && is_free) scene.robots.push_back(robot_at(from, goal));
+    }
+    Simulation simulation(scene, 1);
+    run(simulation, 600);
+    EXPECT_TRUE(simulation.all_at_goal());
+  }
 }
 
 TEST(SharedGoals, make_a_crowd_come_to_rest) {

@@ -86,6 +86,11 @@ typedef struct avo_navigator_id {
   uint32_t generation;
 } avo_navigator_id;
 
+typedef struct avo_reference_tracker_id {
+  uint32_t index;
+  uint32_t generation;
+} avo_reference_tracker_id;
+
 typedef struct avo_trajectory_id {
   uint32_t index;
   uint32_t generation;
@@ -166,9 +171,10 @@ enum {
 
 typedef int32_t avo_behavior;
 enum {
-  AVO_BEHAVIOR_DECIDES = 0,    ///< it plans as this robot does, at the same times
-  AVO_BEHAVIOR_MOVES_ON = 1,   ///< it reacts to no robot
-  AVO_BEHAVIOR_COOPERATES = 2  ///< it does its share, and does not promise to brake
+  AVO_BEHAVIOR_DECIDES = 0,     ///< it plans as this robot does, at the same times
+  AVO_BEHAVIOR_MOVES_ON = 1,    ///< it reacts to no robot
+  AVO_BEHAVIOR_COOPERATES = 2,  ///< it does its share, and does not promise to brake
+  AVO_BEHAVIOR_PARKED = 3       ///< it never moves; as a neighbor it is at rest
 };
 
 typedef int32_t avo_model;
@@ -538,8 +544,8 @@ typedef struct avo_robot_def {
   avo_model model;
   uint32_t layers;        ///< bit k: it is in layer k
   uint32_t avoids;        ///< bit k: it avoids robots in layer k
-  bool parked;            ///< never moves; its goal is its position
-  avo_behavior behavior;  ///< what others count on
+  bool unused;            ///< false: the place of a removed member
+  avo_behavior behavior;  ///< what others count on; the goal of a parked one is its position
   int32_t method;         ///< its own avo_method; AVO_UNSET: the simulation's
   /// s, > 0, its own; 0: the simulation's if it has the simulation's method
   double time_horizon;
@@ -881,8 +887,9 @@ typedef struct avo_columns {
 /// Columns of the moving obstacles, by ascending id; they are valid as long as avo_columns.
 typedef struct avo_moving_obstacle_columns {
   size_t count;
-  const avo_vec2* position;  ///< m
-  const avo_vec2* velocity;  ///< m/s
+  const avo_vec2* position;    ///< m
+  const avo_vec2* velocity;    ///< m/s
+  const uint32_t* next_point;  ///< index into its path of the point that it moves to
 } avo_moving_obstacle_columns;
 
 AVO_C_API avo_result avo_simulation_columns(avo_simulation_id simulation, avo_columns* columns);
@@ -911,6 +918,15 @@ AVO_C_API avo_result avo_simulation_is_at_goal(avo_simulation_id simulation, avo
 /// s: when the robot decides next; infinite if it is parked.
 AVO_C_API avo_result avo_simulation_get_next_decision(avo_simulation_id simulation,
                                                       avo_robot_id robot, double* time);
+/// The preferred velocity that the host gave to the robot, m/s. *is_set: whether there is one; if
+/// not, *velocity is not written.
+AVO_C_API avo_result avo_simulation_get_preferred_velocity(avo_simulation_id simulation,
+                                                           avo_robot_id robot, avo_vec2* velocity,
+                                                           bool* is_set);
+/// The velocity of set_velocity, until it is taken back, in the same way.
+AVO_C_API avo_result avo_simulation_get_host_velocity(avo_simulation_id simulation,
+                                                      avo_robot_id robot, avo_vec2* velocity,
+                                                      bool* is_set);
 /// Whether the host moves the robot by set_velocity, or the robot brakes since it was given back.
 /// It decides nothing meanwhile.
 AVO_C_API avo_result avo_simulation_is_moved(avo_simulation_id simulation, avo_robot_id robot,
@@ -961,6 +977,9 @@ AVO_C_API avo_result avo_simulation_get_steps(avo_simulation_id simulation, int6
 AVO_C_API avo_result avo_simulation_get_sensing_radius(avo_simulation_id simulation,
                                                        double* radius);
 AVO_C_API avo_result avo_simulation_get_robot_count(avo_simulation_id simulation, size_t* count);
+/// A number that changes whenever robots come, go or are restored. As long as it stays, the ids
+/// and, except states and goals, the definitions stay.
+AVO_C_API avo_result avo_simulation_get_roster(avo_simulation_id simulation, uint64_t* roster);
 /// The number that a step may use: threads of the library, or workers of the host.
 AVO_C_API avo_result avo_simulation_get_threads(avo_simulation_id simulation, int32_t* threads);
 /// Whether the next step ends by that time, s. A whole run steps while this is true for `duration`.
@@ -1018,6 +1037,15 @@ AVO_C_API avo_result avo_simulation_moving_obstacle_ids(avo_simulation_id simula
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_simulation_obstacles(avo_simulation_id simulation, avo_obstacle_id* buffer,
                                               size_t capacity, size_t* count);
+/// Definitions of obstacles that are there; a moving one has its present position and velocity.
+/// They point to memory of the simulation, valid until the next call that changes it. def->size
+/// must be set.
+AVO_C_API avo_result avo_simulation_get_moving_obstacle_def(avo_simulation_id simulation,
+                                                            avo_moving_obstacle_id obstacle,
+                                                            avo_moving_obstacle_def* def);
+AVO_C_API avo_result avo_simulation_get_obstacle_def(avo_simulation_id simulation,
+                                                     avo_obstacle_id obstacle,
+                                                     avo_obstacle_def* def);
 
 typedef int32_t avo_event_kind;
 /// In the order in which the events of one robot are listed.
@@ -1069,6 +1097,10 @@ enum {
 /// slots are at least `spacing` apart, m, > 0.
 AVO_C_API avo_result avo_formation_slots(avo_formation formation, size_t count, double spacing,
                                          avo_vec2 center, double heading, avo_vec2* slots);
+/// Writes `count` slots, m, turned by `heading`, rad, and moved so that their origin is at
+/// `center`. placed may be slots.
+AVO_C_API avo_result avo_place_slots(const avo_vec2* slots, size_t count, avo_vec2 center,
+                                     double heading, avo_vec2* placed);
 /// Writes for each of `count` places the index of its slot. The sum of the distances is then least,
 /// and no two of the lines cross. slot_count >= count.
 AVO_C_API avo_result avo_assign_slots(const avo_vec2* positions, size_t count,
@@ -1228,6 +1260,26 @@ AVO_C_API avo_result avo_find_execution_error(const avo_execution_model* model,
 AVO_C_API avo_result avo_drive_command(const avo_execution_model* model, const avo_robot* body,
                                        avo_vec2 velocity, avo_wheel_command* command);
 
+/// Keeps the reference of one robot beside avo_planner_plan(), and makes its base follow the
+/// reference. A navigator with an execution has one itself. The planner is not needed afterwards.
+AVO_C_API avo_result avo_create_reference_tracker(const avo_execution_model* model,
+                                                  avo_planner_id planner,
+                                                  avo_reference_tracker_id* tracker);
+AVO_C_API avo_result avo_destroy_reference_tracker(avo_reference_tracker_id tracker);
+AVO_C_API bool avo_reference_tracker_is_valid(avo_reference_tracker_id tracker);
+/// The robot to plan for in place of the measured body. reference->size must be set.
+AVO_C_API avo_result avo_reference_tracker_reference(avo_reference_tracker_id tracker,
+                                                     const avo_robot* body, avo_robot* reference);
+/// The command for the plan of that robot: to be called once every time_step.
+AVO_C_API avo_result avo_reference_tracker_follow(avo_reference_tracker_id tracker,
+                                                  const avo_robot* body, const avo_plan* plan,
+                                                  avo_base_command* command);
+/// The reference begins anew at the body, as when the robot was moved by hand.
+AVO_C_API avo_result avo_reference_tracker_forget(avo_reference_tracker_id tracker);
+/// For the largest limits that the robot has had so far.
+AVO_C_API avo_result avo_reference_tracker_error(avo_reference_tracker_id tracker,
+                                                 const avo_robot* body, avo_execution_error* error);
+
 /// One robot on board: its route, the right of way at passages, and its goal. Robots of a fleet
 /// agree on what their planners share, on the map, and on fleet_radii.
 typedef struct avo_navigator_def {
@@ -1269,6 +1321,8 @@ typedef struct avo_navigator_decision {
   avo_guide guide;
   bool has_command;          ///< where the definition has an execution
   avo_base_command command;  ///< send this in place of the plan then
+  bool inside;               ///< whether the robot that it waits for is in the passage
+  avo_vec2 a, b;             ///< m, the two sides of the passage where it is narrowest
 } avo_navigator_decision;
 
 AVO_C_API avo_navigator_def avo_default_navigator_def(void);
@@ -1310,6 +1364,8 @@ AVO_C_API avo_result avo_navigator_explain(avo_navigator_id navigator, const avo
 /// avo_simulation_unreachable().
 AVO_C_API avo_result avo_navigator_route(avo_navigator_id navigator, avo_vec2* buffer,
                                          size_t capacity, size_t* count);
+/// What the robot remembers.
+AVO_C_API avo_result avo_navigator_get_detour(avo_navigator_id navigator, avo_detour* detour);
 /// m: how far a robot with such a planner has to sense such others. has_map: with passages.
 AVO_C_API avo_result avo_sensing_range(const avo_planner_def* planner, const avo_robot* robot,
                                        const avo_robot* others, size_t other_count, bool has_map,

@@ -170,6 +170,35 @@ typedef struct avo_set_point {
   avo_vec3 acceleration;  ///< m/s^2, without gravity, to feed forward
 } avo_set_point;
 
+/// The message TrajectorySetpoint of PX4, in its local frame: north, east, down. The scene's x
+/// points east, its y north and its z up. NaN is what the autopilot is free to choose.
+typedef struct avo_px4_set_point {
+  uint64_t timestamp;  ///< us
+  float position[3];
+  float velocity[3];
+  float acceleration[3];  ///< m/s^2, without gravity
+  float jerk[3];          ///< NaN
+  float yaw, yawspeed;    ///< NaN
+} avo_px4_set_point;
+/// time: s, >= 0, of the autopilot's clock. Values that are not finite or beyond 1e12 are
+/// AVO_ERROR_INVALID_VALUE.
+AVO_C_API avo_result avo_get_px4_set_point(avo_set_point set_point, double time,
+                                           avo_px4_set_point* result);
+
+/// What send_full_state_setpoint() of the Crazyflie's Python library takes, in the scene's frame,
+/// with a level attitude.
+typedef struct avo_crazyflie_set_point {
+  float position[3];                      ///< m
+  float velocity[3];                      ///< m/s
+  float acceleration[3];                  ///< m/s^2, without gravity
+  float orientation[4];                   ///< quaternion x, y, z, w
+  float roll_rate, pitch_rate, yaw_rate;  ///< degrees/s
+} avo_crazyflie_set_point;
+/// A packet has thousandths in 16 bits. Values beyond 32.767 m, m/s or m/s^2 are
+/// AVO_ERROR_INVALID_VALUE.
+AVO_C_API avo_result avo_get_crazyflie_set_point(avo_set_point set_point,
+                                                 avo_crazyflie_set_point* result);
+
 typedef struct avo_filter_id {
   uint32_t index;
   uint32_t generation;

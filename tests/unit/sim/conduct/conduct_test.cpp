@@ -29,7 +29,7 @@ constexpr LayerSet kNobody{};
 RobotSetup parked_at(Vec2 place, double radius = 0.5) {
   RobotSetup setup = robot_at(place, place);
   setup.radius = radius;
-  setup.parked = true;
+  setup.behavior = Behavior::parked;
   return setup;
 }
 
@@ -180,6 +180,15 @@ TEST(Parked, has_arrived_and_counts_for_no_mean) {
   EXPECT_EQ(summary.decisions.optimal, 100);
   EXPECT_EQ(summary.collision_pairs, 0);  // of the two that stand in each other
   EXPECT_GT(*summary.min_clearance, 3.0);
+}
+
+TEST(Parked, comes_first_where_a_later_robot_starts_in_it) {
+  Scenario scene;
+  scene.robots = {parked_at({0, 0}), robot_at({0.5, 0}, {9, 0})};
+  const BrokenAssumptions broken = broken_assumptions(scene);
+  ASSERT_EQ(broken.starts.size(), 1U);
+  EXPECT_EQ(broken.starts[0].robot, RobotId{0});
+  EXPECT_EQ(broken.starts[0].other, BodyId{RobotId{1}});
 }
 
 // Two crowds at the same places, in layers of their own.

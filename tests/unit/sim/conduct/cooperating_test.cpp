@@ -183,10 +183,6 @@ TEST(Cooperating, nobody_counts_on_one_that_moves_on) {
 TEST(Cooperating, other_behavior_is_refused) {
   Scenario scene = facing();
   scene.robots[1] = cooperating({6, 0}, {6, 0});
-  scene.robots[1].parked = true;
-  EXPECT_EQ(refusal([&] { validate(scene); }),
-            "robots.1.behavior: found cooperates, must be left out: it is parked");
-  scene = facing();
   scene.robots[0].model = Airplane{};
   scene.robots[0].max_speed = 2.0;
   EXPECT_EQ(refusal([&] { validate(scene); }),

@@ -135,7 +135,7 @@ TEST(ExternalMethod, is_asked_once_a_step_about_all_its_robots_by_id_on_the_call
   Scenario scene = circle(300, 100.0, Method::avo);
   for (std::size_t k = 0; k < scene.robots.size(); k += 3)
     scene.robots[k].method = Method::external_clamped;
-  scene.robots[9].method.reset(), scene.robots[9].parked = true;
+  scene.robots[9].method.reset(), scene.robots[9].behavior = Behavior::parked;
   scene.robots[9].goal = scene.robots[9].position;
   scene.external_method = "mine";
   std::vector<double> times;

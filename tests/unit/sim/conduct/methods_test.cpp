@@ -247,7 +247,7 @@ TEST(Methods, of_those_who_declare_an_error_may_come_and_go) {
 TEST(Methods, that_no_robot_can_have_are_refused) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({5, 5}, {5, 5})};
-  scene.robots[1].parked = true;
+  scene.robots[1].behavior = Behavior::parked;
   scene.robots[1].method = Method::orca;
   EXPECT_EQ(refusal(scene), "robots.1.method: found orca, must be left out: it is parked");
   scene.robots[1].method.reset(), scene.robots[1].time_horizon = 2.0;

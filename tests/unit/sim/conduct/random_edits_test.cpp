@@ -51,7 +51,7 @@ RobotSetup any_robot(const Scenario& scene, Random& random) {
   robot.priority = random.below(4) == 0 ? 4.0 : 1.0;
   if (random.below(4) == 0) robot.layers = robot.avoids = {2};  // others, who avoid each other
   if (random.below(4) == 0) {
-    robot.parked = true, robot.goal = robot.position, robot.velocity = {};
+    robot.behavior = Behavior::parked, robot.goal = robot.position, robot.velocity = {};
     robot.layers = RobotSetup{}.layers, robot.avoids = RobotSetup{}.avoids, robot.time_step = {};
   } else if (random.below(4) == 0 && is_holonomic(robot.model)) {
     robot.layers = {4}, robot.avoids = {0};  // it reacts to nobody, and all others to it
@@ -92,7 +92,7 @@ RobotSetup changed(RobotSetup robot, Random& random) {
       robot.behavior = static_cast<Behavior>(random.below(3));
       break;
     case 7:
-      robot.parked = !robot.parked;
+      robot.behavior = is_parked(robot) ? Behavior::decides : Behavior::parked;
       break;
     default:
       robot.time_horizon = random.uniform(1.0, 4.0);
@@ -156,7 +156,7 @@ class Edited {
       case 1: {
         const RobotSetup robot = any_robot(scene_, random_);
         if (robots < 24) simulation_.add_robot(robot);
-        parked_ += robots < 24 && robot.parked ? 1 : 0;
+        parked_ += robots < 24 && is_parked(robot) ? 1 : 0;
         return;
       }
       case 2:
@@ -248,7 +248,7 @@ class Edited {
     for (std::size_t k = 0; k < fleet.id.size(); ++k) {
       const RobotSetup& own = fleet.setup[k];
       ASSERT_TRUE(is_finite(fleet.position[k]) && is_finite(fleet.velocity[k])) << k;
-      if (own.parked) {
+      if (is_parked(own)) {
         EXPECT_EQ(fleet.position[k], places[k]);
       }
       for (std::size_t j = 0; j < k && keeps_promise(); ++j) {
@@ -264,7 +264,7 @@ class Edited {
 
   // The host moves it, or it brakes since the host gave it back.
   [[nodiscard]] bool is_moved(RobotId robot) const {
-    return scene_.clock == Clock::common && !simulation_.setup(robot).parked &&
+    return scene_.clock == Clock::common && !is_parked(simulation_.setup(robot)) &&
            !simulation_.decided(robot);
   }
 
@@ -387,7 +387,7 @@ TEST(RandomEdits, parked_robots_are_the_same_whether_they_came_or_were_there) {
     Simulation later(scene, 1);
     for (const double x : {3.0, 11.0}) {
       RobotSetup parked = test::robot_at({x, 9.0}, {x, 9.0});
-      parked.parked = true;
+      parked.behavior = Behavior::parked;
       scene.robots.push_back(parked);
       later.add_robot(parked);
     }

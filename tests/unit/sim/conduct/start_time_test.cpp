@@ -202,9 +202,9 @@ TEST(StartTime, is_refused_where_a_robot_cannot_wait) {
     return refusal([&] { Simulation(scene_of({robot}), 1); });
   };
   RobotSetup robot = starting_at(5.0, {0, 0}, {0, 0});
-  robot.parked = true;
+  robot.behavior = Behavior::parked;
   EXPECT_EQ(refused(robot), "robots.0.start_time: found 5, must be left out: it is parked");
-  robot.parked = false, robot.model = Airplane{};
+  robot.behavior = Behavior::decides, robot.model = Airplane{};
   EXPECT_EQ(refused(robot),
             "robots.0.start_time: found 5, must be left out: it cannot wait at its start");
   EXPECT_EQ(refused(starting_at(-1.0, {0, 0}, {0, 0})),

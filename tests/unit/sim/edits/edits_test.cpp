@@ -296,7 +296,7 @@ TEST(Edits, delayed_senses_see_nothing_of_where_a_moved_robot_was) {
 TEST(Edits, parked_robots_are_not_moved_and_airplanes_fly_on) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {20, 0}), robot_at({8, 0}, {8, 0})};
-  scene.robots[1].parked = true;
+  scene.robots[1].behavior = Behavior::parked;
   Simulation simulation(scene, 1);
   EXPECT_THROW(simulation.move_robot({1}, {8, 9}), Error);
 
@@ -313,6 +313,12 @@ TEST(Edits, parked_robots_are_not_moved_and_airplanes_fly_on) {
   EXPECT_NEAR(norm(flying.fleet().velocity[0] - velocity), 0.0, 1e-12);
   flying.step();
   EXPECT_LT(norm(flying.fleet().position[0] - Vec2{0, 30}), 0.5);
+
+  scene.robots.erase(scene.robots.begin());
+  scene.sensing_radius = 100.0;
+  Simulation beside(scene, 1);
+  sky.robots[0].position.y = 30.0;
+  EXPECT_EQ(beside.add_robot(sky.robots[0]).value, 1U) << "the parked one keeps its promise";
 }
 
 }  // namespace avo

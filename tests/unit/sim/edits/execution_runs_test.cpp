@@ -350,7 +350,7 @@ TEST(ExecutionRuns, refuse_what_has_no_bound) {
   hasty.position = {0.0, 20.0};
   EXPECT_THROW(simulation.add_robot(hasty), Error);
   RobotSetup parked = simulation.setup({1});
-  parked.parked = true;
+  parked.behavior = Behavior::parked;
   EXPECT_THROW(simulation.change_robot({1}, parked), Error);
   RobotSetup faster = simulation.setup({1});
   faster.max_speed += 0.5;

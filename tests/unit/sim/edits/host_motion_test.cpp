@@ -307,7 +307,7 @@ TEST(HostMotion, is_refused_where_it_cannot_be) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({0, 5}, {9, 5}), robot_at({5, 9}, {5, 9})};
   scene.robots[1].model = Car{};
-  scene.robots[2].parked = true;
+  scene.robots[2].behavior = Behavior::parked;
   const auto refused = [&](std::uint64_t robot, Vec2 velocity) {
     Simulation simulation(scene, 1);
     const std::vector<std::byte> before = simulation.save();

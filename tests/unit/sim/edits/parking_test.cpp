@@ -17,7 +17,7 @@ using test::robot_at;
 
 void park(Simulation& simulation, std::size_t robot, bool is_parked) {
   RobotSetup setup = simulation.setup({robot});
-  setup.parked = is_parked;
+  setup.behavior = is_parked ? Behavior::parked : Behavior::decides;
   simulation.change_robot(simulation.robot({robot}).id, setup);
 }
 
@@ -29,7 +29,7 @@ TEST(Parking, makes_a_wall_of_a_robot_and_back) {
   Simulation& simulation = judged.simulation;
   EXPECT_EQ(simulation.route({1}).length, 16.0);
   park(simulation, 0, true);
-  EXPECT_TRUE(simulation.setup({0}).parked);
+  EXPECT_TRUE(is_parked(simulation.setup({0})));
   EXPECT_GT(simulation.route({1}).length, 16.01) << "around its disc";
   EXPECT_TRUE(simulation.perceive({1}).neighbors.empty()) << "it is a wall";
   EXPECT_EQ(refusal([&] {
@@ -55,7 +55,7 @@ TEST(Parking, names_the_walls_that_a_robot_sees) {
   const Chain square{{{0, 2}, {1, 2}, {1, 3}, {0, 3}}, true};
   scene.obstacles = {{.chains = {{{{-3, -3}, {3, -3}}}}}, {.chains = {square}, .layers = {2}}};
   for (const double x : {-2.0, 0.0, 2.0}) scene.robots.push_back(robot_at({x, 0}, {x, 0}));
-  scene.robots[0].parked = true;
+  scene.robots[0].behavior = Behavior::parked;
   Simulation simulation(scene, 1);
   using Sources = std::vector<std::int64_t>;
   EXPECT_EQ(simulation.perceive({1}).wall_source, (Sources{0, -1}));
@@ -85,7 +85,7 @@ TEST(Parking, is_refused_in_motion_and_where_another_one_could_not_stop) {
   scene.robots[0].velocity = scene.robots[1].velocity = {1.2, 0};
   Simulation moving(scene, 1);
   EXPECT_EQ(refusal([&] { park(moving, 0, true); }),
-            "robot 0: parked: found a robot at 1.2 m/s, must be one at rest");
+            "robot 0: behavior: found parked at 1.2 m/s, must be parked at rest");
   scene.robots[0].velocity = {};
   scene.robots[1].position = {-1.75, 0};
   Simulation beside(scene, 1);
@@ -98,8 +98,22 @@ TEST(Parking, is_refused_in_motion_and_where_another_one_could_not_stop) {
             std::string::npos);
   scene.clock = Clock::free;
   Simulation freely(scene, 1);
-  EXPECT_EQ(refusal([&] { park(freely, 0, true); }),
-            "robot 0: parked: found a change while clocks are free, must be the same");
+  EXPECT_EQ(
+      refusal([&] { park(freely, 0, true); }),
+      "robot 0: behavior: found a change to or from parked while clocks are free, must be the "
+      "same");
+}
+
+// The others count on a parked robot as on one that decides: nothing has to be checked anew.
+TEST(Parking, leaves_the_promises_of_a_fleet_as_they_are) {
+  Scenario scene;
+  scene.clock = Clock::free;
+  scene.robots = {robot_at({0, 0}, {9, 0}), robot_at({0, 5}, {0, 5})};
+  scene.robots[1].behavior = Behavior::parked;
+  Simulation simulation(scene, 1);
+  RobotSetup faster = simulation.setup({0});
+  faster.max_speed = 2.1;
+  EXPECT_EQ(refusal([&] { simulation.change_robot({0}, faster); }), "");
 }
 
 // Scenes with the same robots from the start move alike.
@@ -108,7 +122,7 @@ TEST(Parking, equals_a_robot_that_was_parked_before) {
   scene.obstacles = {{.chains = {{{{-3, 2}, {3, 2}}}}}};
   scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({-8, 0.1}, {8, 0}), robot_at({8, 1}, {-8, 0})};
   Simulation changed(scene, 1);
-  scene.robots[0].parked = true;
+  scene.robots[0].behavior = Behavior::parked;
   Simulation given(scene, 1);
   park(changed, 0, true);
   for (int step = 0; step < 150; ++step) {
@@ -134,9 +148,9 @@ TEST(Parking, has_the_wall_of_its_body) {
     scene.sensing_radius = 20.0;  // else it was chosen with this robot in mind
     Simulation changed(scene, 1);
     RobotSetup wide = changed.setup({0});
-    wide.parked = true, wide.radius = 0.8;
+    wide.behavior = Behavior::parked, wide.radius = 0.8;
     changed.change_robot({0}, wide);
-    scene.robots[0].parked = true, scene.robots[0].radius = 0.8;
+    scene.robots[0].behavior = Behavior::parked, scene.robots[0].radius = 0.8;
     Simulation given(scene, 1);
     Simulation continued(changed.save(), 1);
     for (int step = 0; step < 60; ++step) {

@@ -89,7 +89,7 @@ TEST(NearGoals, deep_in_an_obstacle_or_elsewhere_are_told_with_the_distance_left
                   small_robot({-8, 2}, {-20, 2}),  // outside of all walls
                   small_robot({3, 3}, {6, -2})};   // on a parked vehicle
   RobotSetup vehicle = small_robot({6, -2}, {6, -2}, 0.8);
-  vehicle.parked = true;
+  vehicle.behavior = Behavior::parked;
   scene.robots.push_back(vehicle);
   const Vec2 beside = Vec2{6, -2} + (1.1 / norm(Vec2{-3, 5})) * Vec2{-3, 5};
   Simulation simulation(scene, 1);
@@ -176,7 +176,7 @@ TEST(NearGoals, stay_the_same_through_edits_and_equal_goals) {
   Scenario scene;
   scene.obstacles = {test::pieces({{{5, -5}, {5, 5}}})};
   RobotSetup vehicle = small_robot({0, 0}, {0, 0}, 0.8);
-  vehicle.parked = true;
+  vehicle.behavior = Behavior::parked;
   scene.robots = {small_robot({-8, 1}, {0, 0}), small_robot({-8, 3}, {5, 3.2}), vehicle};
   Simulation plain(scene, 1), edited(scene, 1);
   for (int k = 0; k < 150; ++k) {
@@ -194,7 +194,7 @@ TEST(NearGoals, are_saved) {
   Scenario scene;
   scene.obstacles = {test::pieces(kDivided)};
   RobotSetup vehicle = small_robot({-4, -3}, {-4, -3}, 0.8);
-  vehicle.parked = true;
+  vehicle.behavior = Behavior::parked;
   scene.robots = {small_robot({-8, 0}, {8, 0}), small_robot({-8, 2}, {-4, -3}), vehicle,
                   small_robot({-8, -2}, {-2, -2})};
   Simulation simulation(scene, 1);

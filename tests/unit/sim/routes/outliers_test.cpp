@@ -58,7 +58,8 @@ std::vector<Oddity> oddities() {
          r.max_speed = r.preferred_speed = 10.0, r.velocity = {9.0, 0.0};
        })},
       {"large", of_robot([](RobotSetup& r) { r.radius = 6.0; })},
-      {"parked", of_robot([](RobotSetup& r) { r.parked = true, r.goal = r.position; })},
+      {"parked",
+       of_robot([](RobotSetup& r) { r.behavior = Behavior::parked, r.goal = r.position; })},
       {"layer", of_robot([](RobotSetup& r) { r.layers = LayerSet{2}; })},
       {"avoids_nobody", of_robot([](RobotSetup& r) { r.avoids = LayerSet{0}; })},
       {"cooperates", of_robot([](RobotSetup& r) { r.behavior = Behavior::cooperates; })},
@@ -109,7 +110,7 @@ struct Steps {
     std::size_t sum = 0;
     std::vector<std::uint32_t> slots;
     for (std::uint32_t slot = 0; slot < world.fleet.size(); ++slot) {
-      if (world.fleet.conduct[slot].parked) continue;
+      if (world.fleet.is_parked(slot)) continue;
       slots.assign(1, slot);
       worker.tile.clear();
       sense(world, slots, worker);

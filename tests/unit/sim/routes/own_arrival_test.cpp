@@ -113,7 +113,7 @@ TEST(OwnArrival, is_refused_where_it_says_nothing) {
   Scenario scene = lanes();
   scene.robots[1].arrival_distance = 0.0;
   EXPECT_EQ(refusal(scene), "robots.1.arrival_distance: found 0, must be > 0 m");
-  scene.robots[1] = with_distance({9, 9}, {9, 9}, 1.0), scene.robots[1].parked = true;
+  scene.robots[1] = with_distance({9, 9}, {9, 9}, 1.0), scene.robots[1].behavior = Behavior::parked;
   EXPECT_EQ(refusal(scene), "robots.1.arrival_distance: found 1, must be left out: it is parked");
 }
 

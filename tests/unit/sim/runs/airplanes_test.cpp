@@ -174,8 +174,14 @@ TEST(Airplanes, what_they_cannot_do_is_refused_in_one_line) {
             "motion: found exponential, must be held in a scene with airplanes");
   EXPECT_EQ(with([](Scenario& s) { s.sensing.dropped = 0.1; }),
             "sensing: found one that is not exact, must be left out in a scene with airplanes");
-  EXPECT_EQ(with([](Scenario& s) { s.robots[0].parked = true, s.robots[0].goal = {}; }),
-            "robots.0.parked: found true, must be false: it cannot stop");
+  EXPECT_EQ(
+      with([](Scenario& s) { s.robots[0].behavior = Behavior::parked, s.robots[0].goal = {}; }),
+      "robots.0.behavior: found parked, must be another one: it cannot stop");
+  EXPECT_EQ(with([](Scenario& s) {
+              s.robots.push_back(test::robot_at({50, 50}, {50, 50}));
+              s.robots.back().behavior = Behavior::parked;
+            }),
+            "");
   EXPECT_EQ(with([](Scenario& s) { s.clock = Clock::free; }),
             "clock: found free, must be common in a scene with airplanes");
   EXPECT_EQ(with([](Scenario& s) { s.robots[0].max_braking = 0.5; }),

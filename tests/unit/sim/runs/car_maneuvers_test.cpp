@@ -116,7 +116,7 @@ Scenario parking(const Size& size, double gap, double side, bool is_road, Vec2 f
     RobotSetup parked;
     parked.radius = r;
     parked.position = parked.goal = {end * (1.0 + gap) * r, 0.0};
-    parked.parked = true;
+    parked.behavior = Behavior::parked;
     scene.robots.push_back(parked);
   }
   return scene;
@@ -156,7 +156,7 @@ TEST(CarManeuvers, some_gaps_take_several_moves) {
     RobotSetup parked;
     parked.radius = 3.0;
     parked.position = parked.goal = {x, -0.4272};
-    parked.parked = true;
+    parked.behavior = Behavior::parked;
     scene.robots.push_back(parked);
   }
   const Driven found = drive(scene, 120.0);

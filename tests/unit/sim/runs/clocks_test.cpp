@@ -318,7 +318,7 @@ TEST(Clocks, under_a_certificate_no_door_closes) {
   simulation.step();
   EXPECT_THROW(simulation.add_obstacle(door), Error);
   RobotSetup parked = robot_at({50, 0}, {50, 0});
-  parked.parked = true;
+  parked.behavior = Behavior::parked;
   EXPECT_THROW(simulation.add_robot(parked), Error);
   simulation.remove_obstacle({0});
   simulation.step();
@@ -355,7 +355,7 @@ TEST(Clocks, what_no_clock_can_be_is_refused) {
   EXPECT_EQ(with([](Scenario& s) { s.sensing = {.delay = 1, .dropped = 0.1, .occlusion = true}; }),
             "");
   EXPECT_EQ(with([](Scenario& s) {
-              s.robots[0].parked = true;
+              s.robots[0].behavior = Behavior::parked;
               s.robots[0].goal = s.robots[0].position;
             }),
             "robots.0.time_step: found 0.04, must be left out: it is parked");

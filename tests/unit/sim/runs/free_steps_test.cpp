@@ -90,7 +90,7 @@ TEST(FreeSteps, are_the_same_of_robots_that_are_not_alike) {
   scene.robots[7].layers = LayerSet{2}, scene.robots[7].avoids = LayerSet{1};
   scene.robots[9].max_braking = 1.7 * scene.robots[9].max_acceleration;
   RobotSetup& parked = scene.robots[11];
-  parked.parked = true, parked.time_step.reset();
+  parked.behavior = Behavior::parked, parked.time_step.reset();
   parked.velocity = {}, parked.goal = parked.position;
   expect_same_when_restored(scene, 2.0);
 }

@@ -22,7 +22,7 @@ using test::robot_at;
 Scenario yard() {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({10, 0}, {10, 0}), robot_at({5, -5}, {5, -5})};
-  scene.robots[2].parked = true;
+  scene.robots[2].behavior = Behavior::parked;
   scene.obstacles = {
       pieces({{{0, 5}, {10, 5}}}),
       {.chains = {{{{20, -5}, {30, -5}, {30, 5}, {20, 5}}, true}}, .fill = Fill::solid}};
@@ -133,7 +133,7 @@ TEST(StartChecks, a_robot_is_not_moved_where_it_breaks_an_assumption) {
 TEST(StartChecks, one_that_is_parked_is_not_put_into_another_one) {
   Simulation simulation(yard(), 1);
   RobotSetup robot = robot_at({5, -4.5}, {5, -4.5});
-  robot.parked = true;
+  robot.behavior = Behavior::parked;
   EXPECT_NE(said_of(simulation, robot).find("robot 3 and robot 2 overlap at the start"),
             std::string::npos);
   robot.position = robot.goal = {10.5, 0};
