@@ -39,10 +39,6 @@ Vec3 push_of(const Robot& robot, const Neighbor& neighbor, Vec3 away, double dis
 
 }  // namespace
 
-double traffic_range(const Robot& robot) {
-  return arrival_range(numbers_of(robot), 0.0);
-}
-
 Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looked) {
   Traffic traffic;
   traffic.ahead = looked.ahead;
@@ -68,15 +64,16 @@ Vec3 turned_right(Vec3 a, Vec3 axis, double angle) {
 }
 
 template <typename Trace>
-Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, Vec3 axis, Detour& detour, Trace trace) {
+Vec3 wish_of(const Viewer& look, const Bodies& bodies, std::span<const Box> boxes,
+             const Looked& looked, const PlannerOptions& options, const Tempo& tempo,
+             Detour& detour, Trace trace) {
   const Robot& robot = look.robot;
   const avo::Robot same = numbers_of(robot);
   const Traffic traffic = traffic_of(robot, bodies, looked);
   avo::Detour plane{
       .beside = detour.beside, .congestion = detour.congestion, .has_arrived = detour.has_arrived};
-  const double time = time_to_speed(same);
-  const double ahead = unusual_congestion(traffic.ahead, time, options.time_step, plane);
+  const double ahead =
+      unusual_congestion(traffic.ahead, tempo.time_to_speed, options.time_step, plane);
   detour.congestion = plane.congestion;
   if (detour.goal_taken) {
     detour.beside = 0.0F, detour.has_arrived = false;
@@ -85,11 +82,11 @@ Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
   // The turn fades to 0: on the last part of its route a robot needs its acceleration to brake. On
   // a short route, a turn costs more than it saves, unless there is much traffic.
   const double stopping = 0.5 * robot.max_speed * (robot.max_speed / planned_braking(robot));
-  const double left = (robot.distance_to_goal - stopping) / stopping;
   Vec3 wish = robot.preferred_velocity;
-  if (left > 0.0 && ahead > 0.0) {
+  if (ahead > 0.0 && robot.distance_to_goal > stopping) {
+    const double left = (robot.distance_to_goal - stopping) / stopping;
     const double part = std::min(std::min(left / kFade, 1.0) * (ahead / kFullCongestion), 1.0);
-    wish = turned_right(wish, axis, part * kMostKeepRight);
+    wish = turned_right(wish, turn_axis(robot, boxes), part * kMostKeepRight);
     trace.keeps_right(look, bodies, looked, wish);
   }
   if (!traffic.is_beside && detour.beside == 0.0F) return wish;
@@ -102,9 +99,9 @@ Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
   return wish;
 }
 
-template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&, Vec3,
-                      Detour&, NoTrace);
-template Vec3 wish_of(const Viewer&, const Bodies&, const Looked&, const PlannerOptions&, Vec3,
-                      Detour&, Recorder);
+template Vec3 wish_of(const Viewer&, const Bodies&, std::span<const Box>, const Looked&,
+                      const PlannerOptions&, const Tempo&, Detour&, NoTrace);
+template Vec3 wish_of(const Viewer&, const Bodies&, std::span<const Box>, const Looked&,
+                      const PlannerOptions&, const Tempo&, Detour&, Recorder);
 
 }  // namespace avo::space

@@ -6,6 +6,7 @@
 #include "planner/rules/arrival.h"
 #include "space/bodies.h"
 #include "space/look.h"
+#include "space/tempo.h"
 #include "space/turn_axis.h"
 
 namespace avo::space {
@@ -19,17 +20,14 @@ struct Traffic {
 /// The traffic of the bodies that a look has found.
 Traffic traffic_of(const Robot& robot, const Bodies& bodies, const Looked& looked);
 
-/// m: the range in which others ahead are traffic. Beyond it only those that are nearly in contact
-/// count.
-double traffic_range(const Robot& robot);
-
 /// a turned by an angle in [0, π) rad, clockwise as seen from the tip of a unit axis.
 Vec3 turned_right(Vec3 a, Vec3 axis, double angle);
 
 /// [m/s] The velocity that the robot wishes: its preferred velocity, to the right in traffic, aside
 /// for others. Updates the detour.
 template <typename Trace>
-Vec3 wish_of(const Viewer& look, const Bodies& bodies, const Looked& looked,
-             const PlannerOptions& options, Vec3 axis, Detour& detour, Trace trace);
+Vec3 wish_of(const Viewer& look, const Bodies& bodies, std::span<const Box> boxes,
+             const Looked& looked, const PlannerOptions& options, const Tempo& tempo,
+             Detour& detour, Trace trace);
 
 }  // namespace avo::space

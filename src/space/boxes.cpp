@@ -243,6 +243,7 @@ void append_box_cuts(const Robot& robot, Vec3 next_velocity, const StepLaw& law,
 
 void append_speed_planes(const Robot& robot, std::span<const Box> boxes, const StepLaw& law,
                          std::vector<HalfSpace>& half_spaces) {
+  if (boxes.empty()) return;
   const double reach = box_reach(robot, law);
   for (const Box& box : boxes) {
     const NearestToBox at = nearest(robot.position, robot.position, box);

@@ -32,8 +32,10 @@ Braking plain(const scalar::PackBraking<Real, 3>& braking) {
 scalar::PackDeviation<Real> deviation_of(const Robot& robot, const Braking& braking,
                                          const StepLaw& law) {
   scalar::PackBraking<Real, 3> own = scalar::constant<Real, 3>(braking);
-  own.profile = scalar::profile(Real(own_length(robot.velocity, robot.vertical)),
-                                Real(braking_limit(robot) * law.braking_time));
+  if (robot.vertical != 1.0) {
+    own.profile = scalar::profile(Real(own_length(robot.velocity, robot.vertical)),
+                                  Real(braking_limit(robot) * law.braking_time));
+  }
   return scalar::deviation_of(own, Real(0.0), Real(0.0), law);
 }
 

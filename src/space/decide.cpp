@@ -46,12 +46,11 @@ Vec3 reached(const Deciding& decision, Vec3 own_target) {
 }
 
 // The velocity that Eq. (23) is given for a wish, m/s (docs/smoothness.md).
-Vec3 aim_of(Deciding& decision, Vec3 own_wish, const Execution& execution) {
+Vec3 aim_of(Deciding& decision, Vec3 own_wish) {
   if (decision.haste.gain >= 1.0) return own_wish;
-  const avo::Robot same = numbers_of(decision.robot);
   const Vec3 change = own_wish - decision.own_velocity;
-  if (!is_landing(same, decision.haste, execution))
-    return decision.own_velocity + std::min(unhurried_part(same, execution), 1.0) * change;
+  if (!(decision.robot.distance_to_goal < decision.tempo.landing))
+    return decision.own_velocity + decision.tempo.unhurried * change;
   const Vec3 aim = decision.own_velocity + change / decision.haste.gain;
   // an acceleration against the aim has to end at once
   if (dot(decision.own_last_change, aim - decision.own_velocity) < 0.0)
@@ -90,6 +89,10 @@ Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, cons
   const auto choose_near = [&](Vec3 wanted) {
     return choose(robot, wanted, decision.law, scratch.choice, trace);
   };
+  const auto turned_off = [&] {
+    const Vec3 axis = turn_axis(robot, decision.around.boxes);
+    return decision.own(turned_right(wish, axis, detour.angle));
+  };
   // a robot that stays where others are at rest on its goal stops, whatever pushes it
   const bool stops = detour.goal_taken && robot.preferred_velocity == Vec3{};
   const Vec3 proposal =
@@ -107,14 +110,14 @@ Choice choose_and_arrive(const Deciding& decision, Vec3 wish, Vec3 own_aim, cons
   const bool turns = left > kStuck && detour.angle > 0.0F;
   Choice next = choice;
   if (turns) {
-    const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
+    const Vec3 turned = turned_off();
     const Target off = target_of(decision, all_half_spaces(decision), turned);
     const Vec3 wanted = decision.in_space(executed(decision, off.own, decision.haste.gain));
     trace.asks_off(wanted);
     next = choose_near(wanted);
   }
   if (left < kFree) {
-    const Vec3 turned = decision.own(turned_right(wish, decision.axis, detour.angle));
+    const Vec3 turned = turned_off();
     const Target off = target_of(decision, scratch.hard, turned);
     const double kept = std::clamp((left - kStuck) / (kFree - kStuck), 0.0, 1.0);
     const Vec3 smooth = executed(decision, off.own, 1.0);
@@ -184,8 +187,8 @@ Plan plan_to(Vec3 velocity, Vec3 next_velocity, const StepLaw& law) {
 
 // What one look at the bodies finds.
 Viewer look_around(const PlannerOptions& options, std::span<const Horizon> horizons,
-                   const StepLaw& law, const Robot& robot, const BodiesAround& around,
-                   PlanWorkspace::Scratch& scratch) {
+                   const StepLaw& law, const Robot& robot, const Tempo& tempo,
+                   const BodiesAround& around, PlanWorkspace::Scratch& scratch) {
   Constraints& constraints = scratch.choice.constraints;
   const bool is_known = around.self >= 0.0;
   const Braking own = is_known ? around.bodies.braking(static_cast<std::size_t>(around.self))
@@ -199,7 +202,7 @@ Viewer look_around(const PlannerOptions& options, std::span<const Horizon> horiz
               .control_time = options.control_time,
               .self = around.self,
               .range = around.range,
-              .traffic_range = traffic_range(robot),
+              .traffic_range = tempo.traffic_range,
               .certified = options.certificate != Certificate::none};
   look_at(look, around.bodies, around.runs, options.max_neighbors, scratch.looked);
   return look;
@@ -221,27 +224,26 @@ void collect_all_constraints(const PlannerOptions& options, const StepLaw& law, 
 
 template <typename Trace>
 Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
-            const Robot& robot, const BodiesAround& around, bool remembers,
+            const Robot& robot, const Tempo& tempo, const BodiesAround& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour, Trace trace) {
-  const Viewer look = look_around(options, horizons, law, robot, around, scratch);
+  const Viewer look = look_around(options, horizons, law, robot, tempo, around, scratch);
   if (!is_sound(detour)) detour = {};
-  const Execution execution{response_law(options), law.braking_time, remembers};
   Deciding decision{robot,
                     options,
                     law,
-                    haste_of(numbers_of(robot), execution),
+                    tempo,
+                    haste_at(tempo, robot.distance_to_goal, remembers),
                     horizons.front(),
-                    turn_axis(robot, around.boxes),
                     to_own(robot.velocity, robot.vertical),
                     law.braking_time * to_own(detour.acceleration, robot.vertical),
                     look,
                     around,
                     scratch};
-  if (!execution.law.is_gentle()) decision.own_last_change = {};
+  if (!response_law(options).is_gentle()) decision.own_last_change = {};
   collect_hard(decision, around.boxes);
   const Vec3 wish =
-      wish_of(look, around.bodies, scratch.looked, options, decision.axis, detour, trace);
-  const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical), execution);
+      wish_of(look, around.bodies, around.boxes, scratch.looked, options, tempo, detour, trace);
+  const Vec3 own_aim = aim_of(decision, to_own(wish, robot.vertical));
   const Target target = target_of_aim(decision, own_aim);
   trace.chooses(decision, own_aim, target);
   collect_all_constraints(options, law, robot, around, scratch);
@@ -269,14 +271,17 @@ Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, co
 }
 
 template Plan decide(const PlannerOptions&, std::span<const Horizon>, const StepLaw&, const Robot&,
-                     const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, NoTrace);
+                     const Tempo&, const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&,
+                     NoTrace);
 template Plan decide(const PlannerOptions&, std::span<const Horizon>, const StepLaw&, const Robot&,
-                     const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&, Recorder);
+                     const Tempo&, const BodiesAround&, bool, PlanWorkspace::Scratch&, Detour&,
+                     Recorder);
 
 Constraints& admission_of(const PlannerOptions& options, std::span<const Horizon> horizons,
                           const StepLaw& law, const Robot& robot, const BodiesAround& around,
                           PlanWorkspace::Scratch& scratch) {
-  look_around(options, horizons, law, robot, around, scratch);
+  const Landing planner{response_law(options), law.lag, law.braking_time};
+  look_around(options, horizons, law, robot, tempo_of(robot, planner), around, scratch);
   collect_all_constraints(options, law, robot, around, scratch);
   return scratch.choice.constraints;
 }

@@ -9,6 +9,7 @@
 #include "certificate/braking_path.h"
 #include "space/bodies.h"
 #include "space/certificate.h"
+#include "space/tempo.h"
 
 namespace avo::space {
 
@@ -30,7 +31,7 @@ struct BodiesAround {
 /// or a Recorder.
 template <typename Trace>
 Plan decide(const PlannerOptions& options, std::span<const Horizon> horizons, const StepLaw& law,
-            const Robot& robot, const BodiesAround& around, bool remembers,
+            const Robot& robot, const Tempo& tempo, const BodiesAround& around, bool remembers,
             PlanWorkspace::Scratch& scratch, Detour& detour, Trace trace);
 
 /// The constraints of a robot with valid inputs.

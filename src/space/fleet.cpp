@@ -32,6 +32,7 @@ SpaceFleet::SpaceFleet(const Scenario& scene, int threads)
   validate_in_space(options);
   for (const RobotSetup& setup : scene.robots) {
     robots.push_back(robot_of(setup));
+    tempos.push_back(tempo_of(robots.back(), landing));
     has_downwash = has_downwash || robots.back().downwash > 0.0;
     const double range = space::box_range(robots.back(), options);
     trips.push_back({setup.goal, setup.preferred_speed,
@@ -135,9 +136,10 @@ Guide SpaceFleet::head_for_goal(std::size_t k, std::span<const Neighbor> company
   SpaceAtSharedGoal at;
   if (shares_goal(k) && heading.guide != Guide::passage) at = near_goal(k, company, own, worker);
   own.detour.goal_taken = at.is_taken, own.has_stood = at.has_stood ? 1 : 0;
-  robot.preferred_velocity =
-      at.has_place ? preferred_velocity(robot, at.place, speed, landing)
-                   : preferred_velocity(robot, heading.goal - worker.lost, heading.speed, landing);
+  robot.preferred_velocity = at.has_place
+                                 ? preferred_velocity(robot, at.place, speed, landing, tempos[k])
+                                 : preferred_velocity(robot, heading.goal - worker.lost,
+                                                      heading.speed, landing, tempos[k]);
   return at.has_place ? Guide::place : heading.guide;
 }
 
@@ -204,8 +206,8 @@ void SpaceFleet::decide(std::size_t at, SpaceWorker& worker) {
   sense_movers(k, worker);
   const auto decide = [&](const BodiesAround& around) {
     head_for_goal(k, around, worker);
-    plans[k] = space::decide(options, horizons, law, robots[k], around, true, worker.scratch,
-                             detours[k], NoTrace{});
+    plans[k] = space::decide(options, horizons, law, robots[k], tempos[k], around, true,
+                             worker.scratch, detours[k], NoTrace{});
     if (plans[k].status == PlanStatus::overlapping) name_touched(k, worker);
   };
   if (senses.are_exact())

@@ -76,6 +76,7 @@ struct AVO_LOCAL SpaceFleet {
   std::vector<Plan> plans;
   std::vector<Simulation::Touched> touched;  // where the last plan is overlapping
   std::vector<Trip> trips;
+  std::vector<Tempo> tempos;
   Solids solids;  // scenario.boxes
   SpaceRoutes routes;
   SharedGoals shares;                   // as of the last step

@@ -11,12 +11,22 @@ namespace avo::space {
 
 using Number = scalar::Pack<double>;
 
+namespace {
+
+// Returns whether the goal is farther away than rounding can tell. The first test needs no root.
+bool is_away(double distance, Vec3 place, Vec3 goal) {
+  const auto around = one_norm(scalar::constant<Number>(place)).value +
+                      one_norm(scalar::constant<Number>(goal)).value;
+  return distance > 0x1p-45 * around || distance > 0x1p-46 * (norm(place) + norm(goal));
+}
+
+}  // namespace
+
 Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
-                        const Landing& landing) {
+                        const Landing& landing, const Tempo& tempo) {
   const Vec3 to_goal = goal - robot.position;
   const double distance = norm(to_goal);
-  // nearer than rounding can tell counts as there
-  if (!(distance > 0x1p-46 * (norm(robot.position) + norm(goal)))) return {};
+  if (!is_away(distance, robot.position, goal)) return {};
   const Vec3 direction = to_goal / distance;
   const ResponseLaw& law = landing.law;
   // along the route a robot brakes with b/ν, and is as fast as v_max/ν
@@ -25,17 +35,17 @@ Vec3 preferred_velocity(const Robot& robot, Vec3 goal, double preferred_speed,
   if (direction.z > 0.0) top = std::min(top, robot.climb / direction.z);
   if (direction.z < 0.0) top = std::min(top, -robot.sink / direction.z);
   const double left = distance - landing.lag * dot(robot.velocity, direction);
-  const Number own_braking =
-      scalar::used_of(Number(planned_braking(robot)), Number(robot.max_speed), law);
-  const double braking = own_braking.value * per_own;
+  const double braking = tempo.used_braking * per_own;
   const double time_step = law.time_step;
   if (!law.is_gentle()) {
     const Number hard = scalar::admissible_speed(
         Number(left), Number(braking * landing.braking_time), Number(time_step));
     return std::min(hard.value, top) * direction;
   }
-  const Number response = scalar::response_time(Number(robot.max_speed),
-                                                Number(robot.max_acceleration), own_braking, law);
+  const Number response(tempo.response_time), decrement(braking * landing.braking_time);
+  const auto known = scalar::surely_admits(Number(left) - Number(top) * response, Number(top),
+                                           decrement, Number(time_step));
+  if (known.bit) return top * direction;
   const Number soft =
       scalar::soft_speed(Number(left), Number(braking * landing.braking_time / time_step), response,
                          Number(time_step));

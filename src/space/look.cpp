@@ -53,7 +53,8 @@ void look_at(Viewer& look, const Bodies& bodies, std::span<const Run> runs,
              std::optional<int> max_neighbors, Looked& looked) {
   std::size_t most = 0;
   for (const Run& run : runs) most += run.last - run.first;
-  looked.seen.reserve(most);
+  looked.seen.reserve(most), looked.close.reserve(most);
+  looked.places.resize(looked.close.place.size());
   looked.near.clear(), looked.beside.clear();
   kernels().find_seen(look, bodies, runs, looked.seen);
   if (max_neighbors)

@@ -79,12 +79,14 @@ struct NearBody {
 /// Scratch memory and result; allocates only while it grows.
 struct Looked {
   SeenColumns seen;
+  SeenColumns close;  ///< those that may matter for more than a half-space
   SpacePairs pairs;
   std::vector<NearBody> near;         ///< by ascending number
   double ahead = 0.0;                 ///< see Traffic::ahead
   std::vector<std::uint32_t> beside;  ///< places of bodies that may be nearly in contact, as well
   // scratch memory
-  std::vector<std::uint32_t> places;
+  std::size_t count = 0;
+  std::vector<double> places;                      // so many count
   std::vector<std::pair<double, double>> nearest;  // squared distances and numbers
 };
 

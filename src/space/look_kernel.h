@@ -10,29 +10,9 @@
 #include <vector>
 
 #include "certificate/clearance_kernel.h"
-#include "space/seen_kernel.h"
+#include "space/passing_kernel.h"
 
 AVO_BEGIN_KERNELS
-
-template <typename Real>
-AVO_KERNEL Real square(Real a) {
-  return a * a;
-}
-
-/// m²: the squared distance of a body with A's priority beyond which A surely needs no constraint
-/// for it. It is the test of are_far() for the largest reach of all bodies.
-template <typename Real>
-AVO_KERNEL Real far_squared(const PackLook<Real>& a, const PackBody<Real>& body,
-                            const space::Bodies& bodies) {
-  const Real rounding(kFarther), one(1.0), infinity(std::numeric_limits<double>::infinity());
-  // The margin of rounding for a length of 1 m. The place of the body is no longer than twice its
-  // distance, which contains its margin.
-  const Real per_length =
-      rounding_margin<Real, 3>(one, a.intervals, min(body.share, one - body.share));
-  const Real reach = body.contact + body.wash + a.reach + Real(bodies.most_error) +
-                     per_length * (a.lengths + body.contact);
-  return select(per_length < Real(0x1p-29), square(square(rounding) * reach), infinity);
-}
 
 /// Returns whether A surely needs no constraint for a body: see collect_constraints(). The test is
 /// that of are_clear(), for the longest braking of all bodies.
@@ -51,29 +31,6 @@ AVO_KERNEL auto is_clear(const PackLook<Real>& a, const PackSeen<Real>& seen,
   const Real gap = body.share * (left - (inflated + body.wash) - Real(0x1p-27) * distance);
   const auto clear = (left > zero) & ((gap - a.most_aside) * left > against * a.most_ahead);
   return body.are_equal & body.brake_alike & clear;
-}
-
-/// What a half-space surely contains. It is known where the half-space touches the obstacle at the
-/// end of the horizon (docs/half_plane.md, lemma 2).
-template <typename Real>
-struct PackContained {
-  decltype(Real() < Real()) everything;  // that A can choose
-  decltype(Real() < Real()) velocity;    // v_A + change
-};
-template <typename Real>
-AVO_KERNEL PackContained<Real> contained(const PackLook<Real>& a, const PackSeen<Real>& seen,
-                                         const PackBody<Real>& body, const Vec<Real, 3>& change) {
-  const Real rounding(kFarther), beyond(1e-9);  // m/s, more than what programs tolerate
-  const Vec<Real, 3> x = seen.p + a.end_time * seen.v, y = seen.p + a.end_lag * seen.v;
-  const Real length = norm(x), least = rounding * body.contact * length;
-  const auto touches_at_end = (seen.squared > square(rounding * body.contact)) &
-                              (dot(seen.p, x) > least) & (dot(x, y) > least);
-  const Real lift = body.share * (body.contact - length);  // [α h g] m
-  const auto keeps_change = lift < -(a.gain * (rounding * a.change + beyond));
-  const auto keeps_speed = dot(x, a.velocity) * a.gain + lift * length <
-                           -(length * a.gain * (rounding * a.speed + beyond));
-  const auto keeps = lift * length < a.gain * (dot(x, change) - beyond * length);
-  return {touches_at_end & (keeps_change | keeps_speed), touches_at_end & keeps};
 }
 
 /// What bodies ahead add to the traffic, see Traffic::ahead. It is a multiple of 2^-40, so that the
@@ -136,8 +93,7 @@ AVO_KERNEL void push(Real place, std::uint32_t lanes, std::vector<std::uint32_t>
 /// collect_constraints().
 template <typename Real, bool kUniform>
 AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bodies,
-                             std::span<const std::uint32_t> places,
-                             std::vector<space::NearBody>& near) {
+                             std::span<const double> places, std::vector<space::NearBody>& near) {
   const space::Robot& robot = look.robot;
   const PackRobot<Real, 3> self{constant<Real>(robot.position),
                                 constant<Real>(robot.velocity),
@@ -150,10 +106,8 @@ AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bod
                                 robot.downwash};
   for (std::size_t first = 0; first < places.size(); first += Real::kLanes) {
     const std::size_t count = std::min(Real::kLanes, places.size() - first);
-    alignas(64) double numbers[Real::kLanes];
-    for (std::size_t k = 0; k < Real::kLanes; ++k)
-      numbers[k] = places[first + std::min(k, count - 1)];
-    const Real place = Real::load(numbers);
+    const auto counted = lane_numbers<Real>() < Real(static_cast<double>(count));
+    const Real place = select(counted, Real::load(&places[first]), Real(0.0));
     const auto field = [&](const std::vector<double>& column) {
       return lookup(column.data(), place);
     };
@@ -188,42 +142,68 @@ AVO_KERNEL void examine_near(const space::Viewer& look, const space::Bodies& bod
     alignas(64) double inflated[Real::kLanes], share[Real::kLanes];
     clearance.gap.store(gaps), clearance.against.store(against);
     pair.inflated.store(inflated), pair.share.store(share);
-    for (std::uint32_t lanes = bits(!(apart | clear)) & ((1U << count) - 1U); lanes != 0;
-         lanes &= lanes - 1) {
+    for (std::uint32_t lanes = bits(counted & !(apart | clear)); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      const std::uint32_t at = places[first + lane];
+      const auto at = static_cast<std::uint32_t>(places[first + lane]);
       near.push_back(
           {at, bodies.number[at], gaps[lane], against[lane], inflated[lane], share[lane]});
     }
   }
 }
 
+/// What a body may matter for.
+template <typename Real>
+struct PackMatters {
+  decltype(Real() < Real()) near, beside, ahead;  // constraints, nearly contact, traffic
+};
+template <typename Real>
+AVO_KERNEL PackMatters<Real> what_matters(const PackLook<Real>& a, const PackSeen<Real>& seen,
+                                          const PackBody<Real>& body, const space::Viewer& look) {
+  const Real zero(0.0), least(look.certified ? 0.0 : std::numeric_limits<double>::infinity());
+  const auto far = body.are_equal & (seen.squared > body.far_squared);
+  return {seen.counted & !far & (seen.squared >= least),
+          seen.counted & (seen.squared < body.beside_squared),
+          seen.counted & (seen.squared < a.traffic_squared) & (dot(seen.p, a.preferred) < zero) &
+              !stays_beyond(seen, body.meets_squared)};
+}
+
+/// Puts those side by side that may matter for more than a half-space.
 template <typename Real, bool kUniform>
-AVO_KERNEL void examine_all(const space::Viewer& look, const space::Bodies& bodies,
-                            space::Looked& looked) {
-  const PackLook<Real> a(look, bodies);
-  const bool has_preferred = !(look.robot.preferred_velocity == Vec3{});
-  const Real traffic_squared = square(Real(kFarther) * a.traffic_range);
-  Real ahead(0.0);
+AVO_KERNEL void find_close(const PackLook<Real>& a, const space::Viewer& look,
+                           const space::Bodies& bodies, space::Looked& looked) {
+  const SeenPlaces places(looked.close);
+  std::size_t count = 0;
   for_all<Real, kUniform>(
       a, look, bodies, looked.seen,
-      [&](const auto& seen, const auto& body, const auto& field) __attribute__((always_inline)) {
-        if (look.certified) {
-          const auto far = body.are_equal & (seen.squared > far_squared(a, body, bodies));
-          const auto near = seen.counted & !far;
-          if (any(near))
-            push(seen.place, bits(near & !is_clear(a, seen, body, look)), looked.places);
-        }
-        const Real beside = Real(kFarther) * (Real(1.0 + kRoom) * body.contact + body.wash);
-        const auto is_beside = seen.counted & (seen.squared < square(Real(kFarther) * beside));
-        if (any(is_beside)) push(seen.place, bits(is_beside), looked.beside);
-        const auto may_count = seen.counted & (seen.squared < traffic_squared) &
-                               (dot(seen.p, a.preferred) < Real(0.0));
-        if (has_preferred && any(may_count))
-          ahead =
-              ahead + select(may_count, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
+      [&](const auto& seen, const auto& body, const auto&) __attribute__((always_inline)) {
+        const PackMatters<Real> matters = what_matters(a, seen, body, look);
+        const auto chosen = matters.near | matters.beside | matters.ahead;
+        if (kChoosesSlowly<Real> && !any(chosen)) return;
+        count += places.put(chosen, seen.p, seen.v, seen.place, count);
       });
-  looked.ahead = sum_of(ahead);
+  looked.close.count = count;
+}
+
+template <typename Real, bool kUniform>
+AVO_KERNEL void examine_close(const PackLook<Real>& a, const space::Viewer& look,
+                              const space::Bodies& bodies, space::Looked& looked) {
+  Real ahead(0.0);
+  std::size_t count = 0;
+  double* places = looked.places.data();
+  for_all<Real, kUniform>(
+      a, look, bodies, looked.close,
+      [&](const auto& seen, const auto& body, const auto& field) __attribute__((always_inline)) {
+        const PackMatters<Real> matters = what_matters(a, seen, body, look);
+        if (!kChoosesSlowly<Real> || any(matters.near)) {
+          const auto chosen = matters.near & !is_clear(a, seen, body, look);
+          count += store_chosen(chosen, seen.place, places + count);
+        }
+        if (any(matters.beside)) push(seen.place, bits(matters.beside), looked.beside);
+        if (!kChoosesSlowly<Real> || any(matters.ahead))
+          ahead = ahead +
+                  select(matters.ahead, traffic_of(a, seen, body, field(bodies.speed)), Real(0.0));
+      });
+  looked.ahead = sum_of(ahead), looked.count = count;
 }
 
 /// See pairs_that_cut() and, with a velocity, pairs_without().
@@ -235,11 +215,16 @@ AVO_KERNEL void find_pairs(const space::Viewer& look, const Vec3* velocity,
   const Real farthest(look.farthest_squared), last_number(look.farthest_number);
   const Vec<Real, 3> change =
       constant<Real>(velocity != nullptr ? *velocity - look.robot.velocity : Vec3{});
+  const Real length = norm(change);
   for_all<Real, kUniform>(
       a, look, bodies, looked.seen,
       [&](const auto& seen, const auto& body, const auto& field) __attribute__((always_inline)) {
         auto chosen = seen.counted & (seen.squared > Real(0.0));
         if (!has_wash) {
+          if (velocity != nullptr) {
+            chosen = chosen & !is_passed_by(a, seen, body, length);
+            if (!any(chosen)) return;
+          }
           const PackContained<Real> inside = contained(a, seen, body, change);
           chosen = chosen & !inside.everything;
           if (velocity != nullptr) chosen = chosen & !inside.velocity;
@@ -265,11 +250,15 @@ void find_pairs(const space::Viewer& look, const Vec3* velocity, const space::Bo
 template <typename Real, bool kUniform>
 AVO_KERNEL void examine_seen(const space::Viewer& look, const space::Bodies& bodies,
                              space::Looked& looked) {
-  examine_all<Real, kUniform>(look, bodies, looked);
-  if (look.is_plain(bodies))
-    return examine_near<Real, kUniform>(look, bodies, looked.places, looked.near);
-  for (const std::uint32_t place : looked.places)
-    looked.near.push_back({place, bodies.number[place]});
+  const PackLook<Real> a(look, bodies);
+  find_close<Real, kUniform>(a, look, bodies, looked);
+  examine_close<Real, kUniform>(a, look, bodies, looked);
+  const auto places = std::span<const double>(looked.places).first(looked.count);
+  if (look.is_plain(bodies)) return examine_near<Real, kUniform>(look, bodies, places, looked.near);
+  for (const double place : places) {
+    const auto at = static_cast<std::uint32_t>(place);
+    looked.near.push_back({at, bodies.number[at]});
+  }
 }
 
 /// Sorts out what the bodies that are seen mean for A.
@@ -277,7 +266,7 @@ template <typename Real>
 void examine_seen(const space::Viewer& look, const space::Bodies& bodies, space::Looked& looked) {
   looked.ahead = 0.0;
   if (looked.seen.count == 0) return;
-  looked.places.clear();
+  looked.count = 0;
   if (bodies.is_uniform)
     examine_seen<Real, true>(look, bodies, looked);
   else

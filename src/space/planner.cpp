@@ -52,8 +52,9 @@ Plan plan_in(PlanWorkspace::Scratch& scratch, const PlannerOptions& options,
   gather(neighbors, law, scratch.bodies);
   const Run all{0, neighbors.size()};
   Detour next = detour != nullptr ? *detour : Detour{};
+  const Tempo tempo = tempo_of(robot, {response_law(options), law.lag, law.braking_time});
   const Plan plan = decide(
-      options, horizons, law, robot,
+      options, horizons, law, robot, tempo,
       {.bodies = scratch.bodies, .runs = std::span(&all, 1), .boxes = boxes, .movers = movers},
       detour != nullptr, scratch, next, trace);
   if (detour != nullptr) *detour = next;

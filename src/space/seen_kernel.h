@@ -33,6 +33,36 @@ void fill_braking(const StepLaw& law, std::size_t first, std::size_t last, space
   }
 }
 
+/// Whether storing chosen lanes costs more than a branch that is often taken and often not.
+template <typename Real>
+constexpr bool kChoosesSlowly = Real::kLanes < 8;
+
+/// Where columns of bodies begin. The compiler cannot know that numbers that are stored change no
+/// vector.
+struct SeenPlaces {
+  std::array<double*, 3> p, v;
+  double* place;
+
+  AVO_KERNEL explicit SeenPlaces(space::SeenColumns& columns)
+      : p{columns.p[0].data(), columns.p[1].data(), columns.p[2].data()},
+        v{columns.v[0].data(), columns.v[1].data(), columns.v[2].data()},
+        place(columns.place.data()) {}
+
+  /// Stores the chosen bodies from a place on, and returns their number.
+  template <typename Real>
+  AVO_KERNEL std::size_t put(decltype(Real() < Real()) chosen, const Vec<Real, 3>& seen_p,
+                             const Vec<Real, 3>& seen_v, Real seen_place, std::size_t at) const {
+    store_chosen(chosen, seen_p.x, p[0] + at), store_chosen(chosen, seen_p.y, p[1] + at);
+    store_chosen(chosen, seen_p.z, p[2] + at), store_chosen(chosen, seen_v.x, v[0] + at);
+    store_chosen(chosen, seen_v.y, v[1] + at), store_chosen(chosen, seen_v.z, v[2] + at);
+    return store_chosen(chosen, seen_place, place + at);
+  }
+};
+
+inline std::array<const double*, 3> begin_of(const std::array<std::vector<double>, 3>& columns) {
+  return {columns[0].data(), columns[1].data(), columns[2].data()};
+}
+
 /// Finds the bodies within the range.
 template <typename Real>
 void find_seen(const space::Viewer& look, const space::Bodies& bodies,
@@ -40,23 +70,27 @@ void find_seen(const space::Viewer& look, const space::Bodies& bodies,
   const Vec<Real, 3> position = constant<Real>(look.robot.position);
   const Vec<Real, 3> velocity = constant<Real>(look.robot.velocity);
   const Real self(look.self), range_squared(look.range * look.range);
-  seen.count = 0;
+  const std::array<const double*, 3> positions = begin_of(bodies.position);
+  const std::array<const double*, 3> velocities = begin_of(bodies.velocity);
+  const SeenPlaces places(seen);
+  std::size_t count = 0;
   for (const space::Run& run : runs) {
     for (std::size_t k = run.first; k < run.last; k += Real::kLanes) {
-      const Vec<Real, 3> p = position - load_vector<Real, 3>(bodies.position, k);
+      const Vec<Real, 3> p = position - load_vector<Real, 3>(positions, k);
       const Real squared = dot(p, p), place = Real::numbers_from(k);
       const auto sensed = (place < Real(static_cast<double>(run.last))) & (place != self) &
                           (squared <= range_squared);
-      if (!any(sensed)) continue;
-      const Vec<Real, 3> v = velocity - load_vector<Real, 3>(bodies.velocity, k);
-      const auto put = [&, at = seen.count](Real value, std::vector<double>& column) {
-        return store_chosen(sensed, value, &column[at]);
-      };
-      put(p.x, seen.p[0]), put(p.y, seen.p[1]), put(p.z, seen.p[2]);
-      put(v.x, seen.v[0]), put(v.y, seen.v[1]), put(v.z, seen.v[2]);
-      seen.count += put(place, seen.place);
+      if (kChoosesSlowly<Real> && !any(sensed)) continue;
+      const Vec<Real, 3> v = velocity - load_vector<Real, 3>(velocities, k);
+      count += places.put(sensed, p, v, place, count);
     }
   }
+  seen.count = count;
+}
+
+template <typename Real>
+AVO_KERNEL Real square(Real a) {
+  return a * a;
 }
 
 /// The values of a look in all lanes.
@@ -67,7 +101,7 @@ struct PackLook {
   Real reach, full_steps, intervals, lengths;  // lengths: see rounding_margin()
   Real most_ahead, most_aside;
   Real end_time, end_lag, gain, change, speed;  // of half-spaces
-  Real traffic_range, per_range, per_front, per_closing, per_slow;
+  Real traffic_range, traffic_squared, per_range, per_front, per_closing, per_slow;
 
   AVO_KERNEL PackLook(const space::Viewer& look, const space::Bodies& bodies)
       : position(constant<Real>(look.robot.position)),
@@ -97,6 +131,7 @@ struct PackLook {
                look.robot.max_acceleration),
         speed(std::max(look.robot.vertical, 1.0) * look.robot.max_speed),
         traffic_range(look.traffic_range),
+        traffic_squared(square(Real(kFarther) * traffic_range)),
         per_range(1.0 / look.traffic_range),
         per_front(1.0 / (kInFront * norm(look.robot.preferred_velocity))),
         per_closing(1.0 / (kCloses * look.robot.max_speed)),
@@ -107,9 +142,34 @@ struct PackLook {
 template <typename Real>
 struct PackBody {
   Real contact, wash, share, defers, reach;  // [δ (a_A + a_B)] m/s: reach
+  Real per_share;                            // more than 1/share
+  Real far_squared, beside_squared;          // m², see far_squared() and beside_squared()
+  Real meets_squared;                        // m², of a course that is no traffic
   // equal priorities, with which the share is that of the room as well; and equal braking
   decltype(Real() < Real()) are_equal, brake_alike;
 };
+
+/// m²: the squared distance of a body with A's priority beyond which A surely needs no constraint
+/// for it. It is the test of are_far() for the largest reach of all bodies.
+template <typename Real>
+AVO_KERNEL Real far_squared(const PackLook<Real>& a, const PackBody<Real>& body,
+                            const space::Bodies& bodies) {
+  const Real rounding(kFarther), one(1.0), infinity(std::numeric_limits<double>::infinity());
+  // The margin of rounding for a length of 1 m. The place of the body is no longer than twice its
+  // distance, which contains its margin.
+  const Real per_length =
+      rounding_margin<Real, 3>(one, a.intervals, min(body.share, one - body.share));
+  const Real reach = body.contact + body.wash + a.reach + Real(bodies.most_error) +
+                     per_length * (a.lengths + body.contact);
+  return select(per_length < Real(0x1p-29), square(square(rounding) * reach), infinity);
+}
+
+/// m²: the squared distance beyond which a body is surely not nearly in contact.
+template <typename Real>
+AVO_KERNEL Real beside_squared(const PackBody<Real>& body) {
+  const Real rounding(kFarther);
+  return square(rounding * (rounding * (Real(1.0 + kRoom) * body.contact + body.wash)));
+}
 
 /// field: maps a column to its values.
 template <typename Real, typename Field>
@@ -117,13 +177,22 @@ AVO_KERNEL PackBody<Real> body_of(const PackLook<Real>& a, const space::Viewer& 
                                   const space::Bodies& bodies, const Field& field) {
   const auto equal = [](Real x, Real y) { return (x <= y) & (x >= y); };
   const Real acceleration = field(bodies.max_acceleration), priority = field(bodies.priority);
-  return {a.radius + field(bodies.radius),
-          max(a.downwash, field(bodies.downwash)),
-          room_share(a.acceleration, acceleration, priority, a.priority),
-          Real(2.0) * room_share(Real(1.0), Real(1.0), priority, a.priority),
-          Real(look.control_time) * (a.acceleration + acceleration),
-          equal(a.priority, priority),
-          equal(a.braking, field(bodies.max_braking)) & equal(field(bodies.vertical), Real(1.0))};
+  PackBody<Real> body{
+      a.radius + field(bodies.radius),
+      max(a.downwash, field(bodies.downwash)),
+      room_share(a.acceleration, acceleration, priority, a.priority),
+      Real(2.0) * room_share(Real(1.0), Real(1.0), priority, a.priority),
+      Real(look.control_time) * (a.acceleration + acceleration),
+      Real(0.0),
+      Real(0.0),
+      Real(0.0),
+      Real(0.0),
+      equal(a.priority, priority),
+      equal(a.braking, field(bodies.max_braking)) & equal(field(bodies.vertical), Real(1.0))};
+  body.per_share = Real(kFarther) / body.share;
+  body.far_squared = far_squared(a, body, bodies), body.beside_squared = beside_squared(body);
+  body.meets_squared = square(Real(2.0 * kFarther) * body.contact);
+  return body;
 }
 
 /// A body as A sees it. squared: the squared distance, m².

@@ -90,10 +90,12 @@ Target target_of_aim(const Deciding& decision, Vec3 own_aim) {
   const Bodies& bodies = decision.around.bodies;
   const bool has_wash = bodies.has_downwash || decision.robot.downwash > 0.0;
   if (decision.around.is_free && scratch.hard.count == 0 && !has_wash) {
-    const Vec3 alone = target_of(decision, scratch.hard, own_aim).own;
-    pairs_without(decision.look, decision.in_space(alone), bodies, scratch.looked);
-    const Target target = target_of(decision, collect_half_spaces(decision), own_aim);
-    if (target.own == alone && target.violation == 0.0) return target;
+    const Target alone = target_of(decision, scratch.hard, own_aim);
+    pairs_without(decision.look, decision.in_space(alone.own), bodies, scratch.looked);
+    HalfSpaceColumns& half_spaces = collect_half_spaces(decision);
+    if (half_spaces.count == 0) return alone;
+    const Target target = target_of(decision, half_spaces, own_aim);
+    if (target.own == alone.own && target.violation == 0.0) return target;
   }
   return target_of(decision, all_half_spaces(decision), own_aim);
 }

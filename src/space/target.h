@@ -18,9 +18,9 @@ struct AVO_LOCAL Deciding {
   const Robot& robot;
   const PlannerOptions& options;
   StepLaw law;
+  const Tempo& tempo;
   Haste haste;
   const Horizon& full_horizon;  ///< of moving obstacles, which do not see that it arrives
-  Vec3 axis;                    ///< about which it turns to its right
   Vec3 own_velocity, own_last_change;
   const Viewer& look;
   const BodiesAround& around;

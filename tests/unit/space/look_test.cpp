@@ -11,6 +11,7 @@
 
 #include "avo/half_plane.h"
 #include "avo/space/simulation.h"
+#include "planner/rules/arrival.h"
 #include "space/cells.h"
 #include "space/certificate.h"
 #include "space/frame.h"
@@ -160,6 +161,38 @@ TEST(Viewer, counts_a_robot_ahead_as_far_as_its_course_leads_to_contact) {
   EXPECT_EQ(ahead({3, 0, 2.1}, {-2, 0, 0}), 0.0);  // it passes with two contact distances
   EXPECT_EQ(ahead({-3, 0, 0}, {4, 0, 0}), 0.0);    // behind
   EXPECT_GT(ahead({3, 0, 0}, {}), 0.4);            // at rest on the way
+}
+
+// What one body ahead adds to the traffic, by the formula alone.
+double weight_of(const Crowd& crowd, double range, const Neighbor& other) {
+  const Robot& robot = crowd.robot;
+  const Vec3 p = robot.position - other.position, v = robot.velocity - other.velocity;
+  const double distance = norm(p), closing = -dot(p, v);
+  const double in_front =
+      -dot(p, robot.preferred_velocity) / distance / (kInFront * norm(robot.preferred_velocity));
+  if (!(distance < range) || !(in_front > 0.0)) return 0.0;
+  const double time = closing > 0.0 ? closing / norm_squared(v) : 0.0;
+  const double miss = norm(p + time * v) / (robot.radius + other.radius);
+  const double closes = 1.0 + closing / distance / (kCloses * robot.max_speed);
+  const double rests = 2.0 - norm(other.velocity) / (kSlow * robot.max_speed);
+  const double defers = 2.0 * room_share(1.0, 1.0, other.priority, robot.priority);
+  return std::clamp(2.0 - miss, 0.0, 1.0) * defers * (1.0 - distance / range) *
+         std::clamp(std::max(closes, rests), 0.0, 1.0) * std::min(in_front, 1.0);
+}
+
+TEST(Viewer, counts_all_robots_ahead_by_the_formula) {
+  Draws draws(35);
+  int counted = 0;
+  for (int k = 0; k < 1000; ++k) {
+    Crowd crowd(draws, k % 2 == 1);
+    double expected = 0.0;
+    for (std::size_t at = 0; at < crowd.bodies.count; ++at) {
+      const double weight = weight_of(crowd, 6.0, crowd.bodies.neighbor(at));
+      expected += weight, counted += weight > 0.0 ? 1 : 0;
+    }
+    ASSERT_NEAR(crowd.seen().ahead, expected, 1e-9) << k;
+  }
+  EXPECT_GT(counted, 1000);
 }
 
 TEST(SpaceCells, find_everybody_within_the_radius_once) {

@@ -41,7 +41,7 @@ double least(const F& value, double most) {
 }
 
 // m: the distance of the triangle from the segment of the shape, which is convex over the triangle.
-double distance_of(const Triangle& t, const PairShape<3>& shape) {
+double distance_of_triangle(const Triangle& t, const PairShape<3>& shape) {
   return least(
       [&](double x) {
         return least(
@@ -80,7 +80,7 @@ TEST(SpaceNormals, prove_the_distance_of_the_triangle) {
   for (int k = 0; k < 500; ++k) {
     const Triangle t = draw(draws);
     const PairShape<3> shape = shape_of(draws, k);
-    const double distance = distance_of(t, shape);
+    const double distance = distance_of_triangle(t, shape);
     if (!(distance > 1e-3)) continue;
     const Vec3 n = scalar::plain(scalar::normal_of(t.pack(), shape));
     ASSERT_NEAR(norm(n), 1.0, 1e-12);
@@ -123,7 +123,7 @@ TEST(SpaceNormals, leave_the_whole_distance_above_the_face_of_a_braking_pair) {
     append_needed(a, {1e6, 0, 0}, law, constraints);
     ASSERT_TRUE(constraints.waiting.empty());
     const Triangle moved{a.position, a.position + relative.middle, a.position + relative.end};
-    ASSERT_NEAR(distance_of(moved, {}), height, 1e-6);
+    ASSERT_NEAR(distance_of_triangle(moved, {}), height, 1e-6);
     // later intervals may be nearer; none is farther
     if (constraints.invariant.slack > height - 0.4 - 1e-9) ++judged;
   }
