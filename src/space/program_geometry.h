@@ -99,6 +99,19 @@ bool best_in_balls(const std::array<Sphere<K>, 2>& balls, Objective<K> objective
   return true;
 }
 
+// The axis of the largest coordinate. Of equal x and y it is that which a turn by 90 degrees about
+// z takes to the one for the turned normal.
+template <std::size_t K>
+std::size_t largest_of(const Point<K>& normal) {
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < K; ++i) {
+    const double one = std::abs(normal[i]), before = std::abs(normal[largest]);
+    const bool wins_tie = i == 1 && one == before && (normal[0] > 0.0) != (normal[1] > 0.0);
+    if (one > before || wins_tie) largest = i;
+  }
+  return largest;
+}
+
 /// A plane of R^K as R^(K-1): its unit normal, its place along the normal, and a basis. The basis
 /// is that of a reflection which takes the largest axis to the normal.
 template <std::size_t K>
@@ -108,10 +121,7 @@ struct Flat {
   std::array<Point<K>, K - 1> basis;
 
   explicit Flat(const Plane<K>& plane) : normal(plane.normal), offset(plane.offset) {
-    std::size_t largest = 0;
-    for (std::size_t i = 1; i < K; ++i) {
-      if (std::abs(normal[i]) > std::abs(normal[largest])) largest = i;
-    }
+    const std::size_t largest = largest_of(normal);
     Point<K> mirror = normal;
     mirror[largest] += normal[largest] >= 0.0 ? 1.0 : -1.0;
     const double per_squared = 1.0 / dot(mirror, mirror);

@@ -11,6 +11,8 @@
 namespace avo::space {
 namespace {
 
+constexpr double kSideBySide = 4.4;  // radii: the width in which two robots pass side by side
+
 // The direction from a box to the robot, and how far away the box is, m.
 struct Face {
   Vec3 normal;
@@ -20,14 +22,14 @@ struct Face {
 std::optional<Face> face_of(const Robot& robot, const Box& box) {
   const NearestToBox at = nearest(robot.position, robot.position, box);
   const double away = at.distance - box.radius;
-  if (!(at.distance > 0.0 && away < 4.0 * robot.radius)) return std::nullopt;
+  if (!(at.distance > 0.0 && away < kSideBySide * robot.radius)) return std::nullopt;
   return Face{(at.on_segment - at.on_box) / at.distance, away};
 }
 
 // Returns whether the robot is between the two, and they leave no room for two robots side by side.
 bool is_narrow_between(const Face& a, const Face& b, double radius) {
   constexpr double kOpposed = -0.99;  // a cosine
-  return dot(a.normal, b.normal) < kOpposed && a.away + b.away < 4.0 * radius;
+  return dot(a.normal, b.normal) < kOpposed && a.away + b.away < kSideBySide * radius;
 }
 
 // The normal of the slot in which the robot is; none in the open, and in a tube.

@@ -40,6 +40,7 @@ static void touches_alone_and_not_behind_the_certificate(void) {
 typedef struct seen {
   int calls;
   int32_t result;
+  avo_simulation_id simulation;  // null, or the one that asks
 } seen;
 
 static int32_t look(void* context, const avo_method_batch* batch, avo_vec2* velocities) {
@@ -53,6 +54,9 @@ static int32_t look(void* context, const avo_method_batch* batch, avo_vec2* velo
     CHECK(batch->neighbor_behavior[batch->first_neighbor[i]] == AVO_BEHAVIOR_DECIDES);
   }
   CHECK(batch->first_neighbor[ROBOTS] == batch->neighbor_count && batch->wall_count == 0);
+  if (own->simulation.index != 0)
+    REFUSES(avo_destroy_simulation(own->simulation), AVO_ERROR_INVALID_VALUE,
+            "found a change within the step that asks it");
   return own->result;
 }
 
@@ -60,13 +64,15 @@ static void is_told_of_failure_and_given_again(void) {
   const char* const mine[] = {"method=external", "external_method=mine"};
   avo_scene_id own;
   avo_simulation_id simulation;
-  seen all = {0, 0};
+  seen all = {0, 0, {0, 0}};
   avo_simulation_def def = scene(mine, 2, &own);
   def.external = look;
   def.external_context = &all;
   REQUIRE(avo_create_simulation(&def, &simulation));
-  steps_of(simulation, 3);
-  CHECK(all.calls == 3);
+  steps_of(simulation, 2);
+  all.simulation = simulation;
+  steps_of(simulation, 1);
+  CHECK(all.calls == 3 && avo_simulation_is_valid(simulation));
   const uint64_t before = hash_of(simulation);
   all.result = 7;
   REFUSES(avo_simulation_step(simulation), AVO_ERROR_INVALID_VALUE,

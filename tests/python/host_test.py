@@ -79,6 +79,10 @@ def test_many_at_once():
     assert simulation.save() == before
     simulation.remove_robots([4, 5])
     assert simulation.ids().tolist() == [0, 1, 2, 3]
+    before = simulation.state_hash()
+    simulation.set_goals([], [])
+    simulation.set_preferred_velocities([], np.empty((0, 2)))
+    assert simulation.add_robots([]) == [] and simulation.state_hash() == before
 
 
 def test_floors_and_parked_robots():
@@ -90,7 +94,7 @@ def test_floors_and_parked_robots():
     assert simulation.is_free((1, 0), 0.5, layers=[0]) and not simulation.is_free((1, 0), 0.5, [1])
     assert simulation.cast_ray((0, 0), (2, 0), layers=[1])["distance"] == pytest.approx(1)
     robot = simulation.ids()[0]
-    simulation.change_robot(robot, layers=[1], avoids=[1])
+    simulation.change_robot(robot, layers=np.array([1]), avoids=[1])
     assert list(simulation.setup(0).layers) == [1]
     simulation.change_robot(robot, layers=[0], avoids=range(32))
     simulation.change_robot(robot, behavior="parked")

@@ -4,6 +4,7 @@ import json
 import math
 
 import avo
+import avo.space
 import numpy as np
 import pytest
 
@@ -185,6 +186,21 @@ def test_crowds_and_flows_are_measured_where_they_are_asked_for():
     assert avo.Metrics("circle-10", crowd=True).summary()["metrics"]["order"] is None
     with pytest.raises(avo.Error, match="^line: found one point, must be two points"):
         avo.Metrics("circle-10", line=((1, 1), (1, 1)))
+
+
+def test_recordings_are_of_the_format_of_their_ending(command_line, tmp_path):
+    lanes = {"version": 1, "duration": 2, "robots": [{"position": [0, 0], "goal": [3, 0]}]}
+    for scene in ("circle-10", lanes):
+        h5 = tmp_path / "run.h5"
+        avo.run(scene, record=h5)
+        assert avo.check(h5)["safe"] and command_line("replay", h5).returncode == 0
+    with pytest.raises(avo.Error, match="record: found HDF5 for a Scenario"):
+        avo.run(avo.Scenario(lanes), record=tmp_path / "other.h5")
+    for scene in (lanes, {"space": 3, **lanes, "robots": [{"position": [0, 0, 0], "goal": [3, 0, 0]}]}):
+        run = avo.space.run if "space" in scene else avo.run
+        with pytest.raises(avo.Error, match="record: found the ending .mp4, must be .csv, .h5 or none"):
+            run(scene, record=tmp_path / "run.mp4")
+    assert not (tmp_path / "other.h5").exists() and not (tmp_path / "run.mp4").exists()
 
 
 def test_a_recording_that_cannot_be_written_is_refused(tmp_path):

@@ -65,6 +65,14 @@ void require_fitting(bool scene, const char* name, const std::optional<double>& 
     throw avo::Error(fmt::format("{}: found {}, must be > 0", name, *value));
 }
 
+/// The scene that a recording contains, if it contains one.
+std::optional<avo::Scenario> own_scene_of(const std::string& path) {
+  const py::gil_scoped_release release;
+  auto own = avo_io::read_recorded_scene(path, {});
+  if (!own) return std::nullopt;
+  return std::move(own->scenario);
+}
+
 py::object check(const py::object& recording, const py::object& scene, std::optional<double> radius,
                  std::optional<double> max_acceleration, std::optional<double> max_speed,
                  std::optional<double> max_braking, double tolerance, bool require_arrival,
@@ -75,7 +83,10 @@ py::object check(const py::object& recording, const py::object& scene, std::opti
         "recording: found one of space, must be of the plane here; avo.space.check "
         "judges those of space");
   std::optional<avo::Scenario> scenario;
-  if (!scene.is_none()) scenario = surroundings_of(scene);
+  if (!scene.is_none())
+    scenario = surroundings_of(scene);
+  else if (!radius)
+    scenario = own_scene_of(path);
   const bool has_scene = scenario && !scenario->robots.empty();
   require_fitting(has_scene, "radius", radius);
   require_fitting(has_scene, "max_acceleration", max_acceleration);
@@ -225,7 +236,8 @@ void bind_reports(py::module_& module) {
       arg("max_speed") = py::none(), arg("max_braking") = py::none(), arg("tolerance") = 1e-9,
       arg("require_arrival") = false, arg("movers_at_rest") = "collision",
       "Judges a recording, or trajectories of pedestrians: a dict, as `avo check --json`. Either a "
-      "scene, or radius, m, of all robots, with a scene of walls alone or without; then "
+      "scene, which .h5 contains, or radius, m, of all robots, with a scene of walls alone or "
+      "without; then "
       "max_acceleration, m/s^2, max_speed, m/s, and max_braking, m/s^2, where it is more than "
       "max_acceleration, are judged where they are given. movers_at_rest: whether a robot at rest "
       "may be "

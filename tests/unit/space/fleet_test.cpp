@@ -200,13 +200,8 @@ TEST(SpaceFleets, threads_change_no_bit) {
   EXPECT_EQ(one.state_hash(), two.state_hash());
 }
 
-// Steep courses turn about a fixed axis (axis_across()), so no robot has one here.
-TEST(SpaceFleets, a_scene_turned_by_90_degrees_about_the_vertical_moves_as_turned_bit_for_bit) {
+void expect_to_move_as_turned(const Scenario& scene) {
   const auto turned = [](Vec3 a) { return Vec3{-a.y, a.x, a.z}; };
-  Scenario scene = sphere(60, 7.0, 0.5);
-  std::erase_if(scene.robots, [](const RobotSetup& robot) {
-    return std::abs(robot.position.z) > 0.9 * norm(robot.position);
-  });
   Scenario other = scene;
   for (RobotSetup& robot : other.robots)
     robot.position = turned(robot.position), robot.goal = turned(robot.goal);
@@ -218,6 +213,23 @@ TEST(SpaceFleets, a_scene_turned_by_90_degrees_about_the_vertical_moves_as_turne
           << "robot " << k << ", step " << step;
       ASSERT_EQ(turned(simulation.robots()[k].velocity), same.robots()[k].velocity);
     }
+  }
+}
+
+// Steep courses turn about a fixed axis (axis_across()), so no robot has one here.
+TEST(SpaceFleets, a_scene_turned_by_90_degrees_about_the_vertical_moves_as_turned_bit_for_bit) {
+  Scenario scene = sphere(60, 7.0, 0.5);
+  std::erase_if(scene.robots, [](const RobotSetup& robot) {
+    return std::abs(robot.position.z) > 0.9 * norm(robot.position);
+  });
+  expect_to_move_as_turned(scene);
+  // normals with equal components, of either sign
+  for (const double side : {1.0, -1.0}) {
+    scene.robots.resize(2);
+    scene.robots[0].position = {1.5, side * 3.5, -0.625};
+    scene.robots[1].position = {0.625, side * 4.375, -0.625};
+    for (RobotSetup& robot : scene.robots) robot.goal = -robot.position;
+    expect_to_move_as_turned(scene);
   }
 }
 

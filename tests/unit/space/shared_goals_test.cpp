@@ -201,6 +201,29 @@ TEST(SharedGoalsInSpace, differ_and_overlap) {
   }
 }
 
+// Two robots rest on either side of the goal, so that the place nearest to it is out of sight.
+TEST(SharedGoalsInSpace, have_places_where_two_robots_hide_the_nearest) {
+  Scenario scene{.duration = 60.0};
+  scene.robots.resize(3);
+  scene.robots[0].position = {1, 0, 0}, scene.robots[1].position = {-1, 0.5, 0};
+  for (const Vec3 start : {Vec3{0, 0, 9}, {0.1, 0.3, 9}, {0, 0, -9}, {2, 8, 3}}) {
+    scene.robots[2].position = start;
+    expect_rest(scene);
+  }
+}
+
+// Slow robots see others at rest on the goal from afar.
+TEST(SharedGoalsInSpace, are_reached_by_robots_of_any_speed) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Scenario scene = rally(5, seed);
+    Draws draws(seed);
+    for (RobotSetup& robot : scene.robots)
+      robot.max_speed = robot.preferred_speed = seed % 2 == 0 ? 0.5 : draws.between(0.4, 3.0);
+    expect_rest(scene);
+  }
+}
+
 // Crowds of 15 with goals that overlap, some of them the same, beside robots with goals of their
 // own.
 Scenario crowds(std::uint64_t seed) {

@@ -774,6 +774,7 @@ AVO_C_API avo_result avo_needed_sensing_radius(const avo_simulation_def* def, do
 
 AVO_C_API avo_result avo_create_simulation(const avo_simulation_def* def,
                                            avo_simulation_id* simulation);
+/// Within a function that a step of the simulation calls it is AVO_ERROR_INVALID_VALUE.
 AVO_C_API avo_result avo_destroy_simulation(avo_simulation_id simulation);
 AVO_C_API bool avo_simulation_is_valid(avo_simulation_id simulation);
 

@@ -113,6 +113,24 @@ TEST(Host, tells_a_robot_its_preferred_velocity_and_takes_it_back) {
   EXPECT_TRUE(simulation.is_at_goal({0}));
 }
 
+TEST(Host, stops_a_robot_that_is_told_the_velocity_0_so_that_it_can_be_parked) {
+  for (const Clock clock : {Clock::common, Clock::free}) {
+    Scenario scene = two_lanes();
+    scene.clock = clock;
+    Simulation simulation(scene, 1);
+    simulation.set_preferred_velocity({0}, Vec2{0, 1.0});
+    run_for(simulation, 5.0);
+    EXPECT_GT(simulation.robot({0}).velocity.y, 0.5);
+    simulation.set_preferred_velocity({0}, Vec2{});
+    run_for(simulation, 15.0);
+    EXPECT_EQ(simulation.robot({0}).velocity, Vec2{});
+    if (clock == Clock::free) continue;  // robots are not parked while clocks are free
+    RobotSetup setup = simulation.setup({0});
+    setup.behavior = Behavior::parked;
+    EXPECT_NO_THROW(simulation.change_robot({0}, setup));
+  }
+}
+
 // At its goal too it goes where it is told, and then it is not at its goal.
 TEST(Host, leads_a_robot_through_a_crowd_without_contact) {
   Scenario scene;
