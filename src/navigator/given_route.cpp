@@ -8,6 +8,7 @@
 #include "core/plane.h"
 #include "core/ranges.h"
 #include "navigation/path_map.h"
+#include "walls/segment.h"
 
 namespace avo::inline navigator {
 namespace {
@@ -21,6 +22,7 @@ constexpr double kFaster = 0.7;  // of a_max, to become faster
 // Radii. At first the robot takes its place on a stretch of the route. It is the first stretch that
 // is at most so much farther off than the nearest one. A closed route thus begins at its start.
 constexpr double kBegins = 2.0;
+constexpr double kOfDistance = 1e-9;  // rounding
 
 CornerGraph graph_of(const std::vector<Vec2>& points, double radius, std::span<const Wall> walls) {
   CornerGraph graph;
@@ -45,14 +47,28 @@ std::shared_ptr<const PathMap> map_of(const std::vector<Vec2>& points) {
   return std::make_shared<const PathMap>(std::move(map));
 }
 
-// The heading around the walls that hide the route, back to it.
+// Returns whether the robot has room all along the straight line, as far as movers at rest say. A
+// robot that is nearer to one than its radius allows may leave it.
+bool passes_resting(const Routes& routes, double radius, Vec2 from, Vec2 to) {
+  if (!routes.goes_around_movers()) return true;
+  return std::all_of(routes.resting().begin(), routes.resting().end(), [&](const Wall& disc) {
+    const double near = std::min(radius + disc.radius, (1.0 - kOfDistance) * norm(from - disc.a));
+    return distance(disc.a, Segment{from, to}) >= near;
+  });
+}
+
+// The heading around the walls and movers at rest that hide the route, back to it.
 std::optional<Heading> route_back(Routes& routes, const Follower& robot, Vec2 aim, OnRoute& on) {
-  if (routes.is_in_sight(robot.place, aim)) {
+  const double radius = robot.traits.route_radius;
+  const auto leads_on = [&](Vec2 from) {
+    return routes.is_in_sight(from, aim) && passes_resting(routes, radius, from, aim);
+  };
+  if (leads_on(robot.place)) {
     on.back.reset();
     return std::nullopt;
   }
-  if (!on.back || !routes.is_in_sight(on.back_to, aim)) {
-    on.back = routes.plan(robot.traits.route_radius, robot.place, aim, 0.0);
+  if (!on.back || !leads_on(on.back_to)) {
+    on.back = routes.plan(radius, robot.place, aim, 0.0);
     on.back_to = aim;
   }
   return follow(*on.back, robot.place, on.back_to, robot.traits, robot.own_path, robot.looks_around,
@@ -67,6 +83,27 @@ double speed_of(const Follower& robot, double speed, const Pursuit& pursuit, con
   const double wished = robot.traits.preferred_speed;
   return std::min(on.route->rounded.top_speed(seen, wished, cornering),
                   speed + kFaster * cornering.acceleration * cornering.lag);
+}
+
+// m: how far ahead the robot aims. Movers at rest may stand on the route up to where the robot can
+// stop: then it aims behind them. Where one stands at its end, it comes as near as it can.
+double past_resting(const Routes& routes, const Follower& robot, double ahead, const OnRoute& on) {
+  if (!routes.goes_around_movers()) return ahead;
+  const RobotTraits& traits = robot.traits;
+  const double radius = traits.route_radius, left = on.next().along - on.along;
+  const auto has_room = [&](double to) {
+    const Vec2 place = on.route->rounded.at(on.along + to);
+    return std::none_of(routes.resting().begin(), routes.resting().end(), [&](const Wall& disc) {
+      return norm(place - disc.a) < radius + disc.radius;
+    });
+  };
+  const double stop = 0.5 * traits.max_speed * (traits.max_speed / traits.max_acceleration);
+  const double seen = ahead + stop + 2.0 * radius;
+  double to = ahead;
+  while (to < std::min(seen, left) && has_room(to)) to += 0.5 * radius;
+  if (!(to < std::min(seen, left))) return ahead;
+  while (to < left && !has_room(to)) to += 0.5 * radius;
+  return to < left ? to : ahead;
 }
 
 // The heading along the route, towards a point that is so far ahead, m. Where the robot comes to
@@ -169,8 +206,8 @@ Headings follow_given(Routes& routes, const Claims& claims, const Follower& robo
                  : route.first_near(robot.place, kBegins * robot.traits.route_radius, until);
   on.has_begun = true;
   const double wished = speed_of(robot, speed, pursuit, on);
-  Heading by_route =
-      heading_along(robot, wished, ahead_at(std::min(speed, wished)), pursuit.end_direction, on);
+  const double ahead = past_resting(routes, robot, ahead_at(std::min(speed, wished)), on);
+  Heading by_route = heading_along(robot, wished, ahead, pursuit.end_direction, on);
   if (const auto back = route_back(routes, robot, by_route.next, on)) by_route = *back;
   Headings result{by_route, by_route};
   if (routes.passages.empty()) return result;

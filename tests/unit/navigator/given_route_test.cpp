@@ -225,5 +225,31 @@ TEST(GoalHeading, is_that_of_a_robot_with_wheels_at_its_goal) {
   }
 }
 
+// The map is empty, or has a wall far away.
+TEST(GivenRoutes, lead_around_a_person_who_stands_on_them) {
+  for (const bool has_map : {false, true}) {
+    for (const double max_speed : {0.5, 1.0, 2.0}) {
+      for (const double radius : {0.3, 0.5}) {
+        SCOPED_TRACE(testing::Message() << has_map << ' ' << max_speed << ' ' << radius);
+        std::vector<StaticObstacle> map;
+        if (has_map) map.push_back(test::pieces({{{-5, 6}, {15, 6}, 0.0}}));
+        Alone alone({}, map);
+        alone.navigator.set_route({{0, 0}, {10, 0}});
+        alone.base.robot.radius = radius, alone.base.robot.max_speed = max_speed;
+        Neighbor person{.position = {5, 0}, .radius = 0.3};
+        person.behavior = Behavior::moves_on;
+        double least = 9.0;  // m
+        while (alone.time < 40.0 && alone.decision.status != NavigatorStatus::reached) {
+          alone.step({&person, 1});
+          least = std::min(least, norm(alone.base.robot.position - person.position) - radius - 0.3);
+        }
+        EXPECT_EQ(alone.decision.status, NavigatorStatus::reached);
+        EXPECT_GT(least, 0.0);
+        EXPECT_LT(alone.time, 10.0 / max_speed + 5.0);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace avo
