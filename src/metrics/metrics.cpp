@@ -17,6 +17,7 @@
 #include "metrics/not_arrived.h"
 #include "metrics/trips.h"
 #include "metrics/wall_contacts.h"
+#include "metrics/watched.h"
 
 namespace avo {
 namespace {
@@ -103,6 +104,7 @@ struct Metrics::State {
   void collect_walls(const Simulation& simulation);
   void observe_limits(const Simulation& simulation, const FleetView& fleet);
   void observe_bodies(const FleetView& fleet);
+  void leave_out_put_down(const FleetView& fleet);
   void observe_step(const Simulation& simulation, const FleetView& fleet);
 };
 
@@ -160,6 +162,17 @@ void Metrics::State::observe_bodies(const FleetView& fleet) {
   }
 }
 
+// A robot that the host has put down elsewhere passed nobody on its way there.
+void Metrics::State::leave_out_put_down(const FleetView& fleet) {
+  const auto is_put_down = [&](const BodyRow& row) {
+    const LastSeen::LastRobot& before = last.robots[row.before];
+    const double speed = std::max(fleet.setup[row.now].max_speed,
+                                  std::max(norm(before.velocity), norm(fleet.velocity[row.now])));
+    return norm(fleet.position[row.now] - before.position) > kPutDown * speed * duration;
+  };
+  if (std::erase_if(rows, is_put_down) > 0) rows_roster = 0;
+}
+
 // Observes everything that happened since the last observation.
 void Metrics::State::observe_step(const Simulation& simulation, const FleetView& fleet) {
   const BodyStep step{last, duration, started, settings.method};
@@ -167,6 +180,7 @@ void Metrics::State::observe_step(const Simulation& simulation, const FleetView&
     collect_rows(fleet, last, rows);
     rows_roster = seen_roster == roster ? roster : 0;
   }
+  if (started) leave_out_put_down(fleet);
   if (started && settings.execution) observe_bodies(fleet);
   sweeps.resize(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) sweeps[k] = sweep_of(fleet, step, rows[k]);

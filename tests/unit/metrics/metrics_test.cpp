@@ -223,6 +223,33 @@ TEST(Metrics, robots_that_come_and_go_are_counted) {
   EXPECT_EQ(summary.steps, 7);
 }
 
+// Robots stand in a row, and the first one is put down behind the last one.
+TEST(Metrics, a_robot_that_is_put_down_elsewhere_has_driven_through_nobody) {
+  Scenario scene;
+  for (const double x : {0.0, 5.0, 10.0}) scene.robots.push_back(robot_at({x, 0}, {x, 0}));
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  metrics.observe(simulation);
+  const auto step = [&] {
+    simulation.step();
+    metrics.observe(simulation);
+  };
+  step();
+  simulation.move_robot({0}, {20, 0});
+  step();
+  EXPECT_EQ(metrics.summary().collision_pairs, 0);
+  // and what it does there counts
+  Simulation other(scene, 1);
+  Metrics seen(scene);
+  seen.observe(other);
+  other.move_robot({0}, {6.1, 0});
+  other.step();
+  seen.observe(other);
+  other.step();
+  seen.observe(other);
+  EXPECT_LT(seen.summary().min_clearance.value_or(9.0), 0.2);
+}
+
 TEST(Metrics, limits_are_the_largest_applied) {
   for (const Motion motion : {Motion::held, Motion::exponential}) {
     Scenario scene = blind({robot_at({0, 0}, {30, 0}), robot_at({0, 5}, {10, 5})});
