@@ -79,8 +79,8 @@ struct Patrol {
   friend bool operator==(const Patrol&, const Patrol&) = default;
 };
 
-/// The members leave by the nearest exit, and are removed once they are within the arrival distance
-/// of an exit, with no wall between.
+/// The members leave by the nearest exit. Within the arrival distance of an exit, with no wall
+/// between, a member has arrived. Its goal is then where it is, and it is removed one step later.
 struct Flow {
   /// m: two points each, the ends of a line, e.g. of a door. At least one exit
   std::vector<Vec2> exits = {};

@@ -91,7 +91,7 @@ void Trips::observe(const Simulation& simulation, const FleetView& fleet, double
     if (trip.arrival) continue;
     if (is_new) {
       begin(trip, simulation, fleet, i, arrival_distance_);
-    } else if (!(trip.goal == fleet.goal[i]) ||
+    } else if ((!(trip.goal == fleet.goal[i]) && !simulation.is_at_goal(id)) ||
                waits_to_start(fleet.setup[i].start_time, trip.end)) {
       trip = {.robot = robot, .step = trip.step};
       begin(trip, simulation, fleet, i, arrival_distance_);

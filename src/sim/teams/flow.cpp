@@ -2,6 +2,8 @@
 // A crowd that leaves. An exit has goals side by side, which robots share, as their routes do.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,6 +25,10 @@ void append_goals(Vec2 a, Vec2 b, double spacing, double radius, std::vector<Vec
   const double first = 0.5 * (length - gaps * spacing);  // m, from a
   for (double k = 0.0; k <= gaps; k += 1.0) goals.push_back(a + (first + k * spacing) * along);
 }
+
+// The number of a member that has come to an exit: it is at its goal, and gone one step later, so
+// that observers of every step see it arrive.
+constexpr std::uint32_t kLeaves = std::numeric_limits<std::uint32_t>::max();
 
 // The goals on all exits for robots of one radius.
 struct ExitGoals {
@@ -76,14 +82,16 @@ void lead(const Flow& flow, Simulation& simulation, Team& team) {
   std::vector<Vec2> goals;  // of those that stay
   ExitGoals made;
   for (TeamMember member : team.members) {
+    if (member.is_led && member.number == kLeaves) {
+      gone.push_back(member.robot);
+      continue;
+    }
     make_for(flow, disc_radius(simulation.setup(member.robot)), made);
     const Vec2 place = place_of(simulation, member), goal = goal_of(made.goals, place, member);
-    if (member.is_led && is_out(flow, simulation, member.robot, place)) {
-      gone.push_back(member.robot);
-    } else {
-      staying.push_back(member);
-      goals.push_back(goal);
-    }
+    const bool leaves = member.is_led && is_out(flow, simulation, member.robot, place);
+    if (leaves) member.number = kLeaves;
+    staying.push_back(member);
+    goals.push_back(leaves ? place : goal);
   }
   if (!gone.empty()) simulation.remove_robots(gone);
   team.members = std::move(staying);

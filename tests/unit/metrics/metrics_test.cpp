@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "avo/events.h"
 #include "runs.h"
 #include "support/brute_force.h"
 #include "unit/sim/scenes.h"
@@ -221,6 +222,35 @@ TEST(Metrics, robots_that_come_and_go_are_counted) {
   EXPECT_EQ(summary.arrived, 5);
   EXPECT_NEAR(*summary.min_clearance, -0.7, 1e-12);
   EXPECT_EQ(summary.steps, 7);
+}
+
+TEST(Metrics, robots_that_leave_by_an_exit_have_arrived) {
+  Scenario scene;
+  Team crowd{.task = Flow{.exits = {{14, -1}, {14, 1}}}};
+  for (std::uint64_t k = 0; k < 12; ++k) {
+    const Vec2 place{1.5 * static_cast<double>(k % 4), 1.5 * static_cast<double>(k / 4)};
+    scene.robots.push_back(robot_at(place, place));
+    crowd.members.push_back({.robot = {k}});
+  }
+  scene.teams = {crowd};
+  Simulation simulation(scene, 1);
+  Metrics metrics(scene);
+  Events events(simulation);
+  metrics.observe(simulation);
+  std::set<std::uint64_t> arrived, gone;
+  while (simulation.size() > 0 && simulation.time() < 60.0) {
+    simulation.step();
+    metrics.observe(simulation);
+    for (const Event& event : events.observe(simulation)) {
+      if (event.kind == EventKind::arrived) arrived.insert(event.robot.value);
+      if (event.kind == EventKind::gone) gone.insert(event.robot.value);
+    }
+  }
+  const RunSummary summary = metrics.summary();
+  EXPECT_EQ(summary.arrived, 12);
+  EXPECT_GT(summary.mean_arrival.value_or(0.0), 4.0) << "of the whole trips";
+  EXPECT_EQ(arrived.size(), 12U);
+  EXPECT_EQ(gone, arrived);
 }
 
 // Robots stand in a row, and the first one is put down behind the last one.
