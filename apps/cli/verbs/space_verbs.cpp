@@ -144,7 +144,7 @@ std::optional<avo::space::Scenario> load_in_space(const SceneArguments& argument
     throw UsageError("--method: found with a scene of space, which has method avo alone");
   if (arguments.start_at_rest || arguments.limit_speed)
     throw UsageError(
-        "--start-at-rest, --limit-speed: found with a scene of space, must be left out");
+        "--start-at-rest, --limit-speed: found one of them with a scene of space, must be left out");
   return scenario;
 }
 
@@ -165,7 +165,7 @@ int run_in_space(const RunArguments& arguments, const avo::space::Scenario& scen
 
 int explain_in_space(const ExplainArguments& arguments, const avo::space::Scenario& scenario) {
   if (!arguments.figure.empty() || !arguments.states.empty())
-    throw UsageError("--figure, --states: found with a scene of space, must be left out");
+    throw UsageError("--figure, --states: found one of them with a scene of space, must be left out");
   Progress progress(arguments.time);  // wiped before other output
   const auto decision = [&] {
     try {
