@@ -164,11 +164,14 @@ void Metrics::State::observe_bodies(const FleetView& fleet) {
 
 // A robot that the host has put down elsewhere passed nobody on its way there.
 void Metrics::State::leave_out_put_down(const FleetView& fleet) {
+  const double reach_squared = (kPutDown * duration) * (kPutDown * duration);  // s²
   const auto is_put_down = [&](const BodyRow& row) {
     const LastSeen::LastRobot& before = last.robots[row.before];
-    const double speed = std::max(fleet.setup[row.now].max_speed,
-                                  std::max(norm(before.velocity), norm(fleet.velocity[row.now])));
-    return norm(fleet.position[row.now] - before.position) > kPutDown * speed * duration;
+    const double moved_squared = norm_squared(fleet.position[row.now] - before.position);
+    if (!(moved_squared > reach_squared * norm_squared(before.velocity))) return false;
+    const double top = fleet.setup[row.now].max_speed;
+    return moved_squared > reach_squared * top * top &&
+           moved_squared > reach_squared * norm_squared(fleet.velocity[row.now]);
   };
   if (std::erase_if(rows, is_put_down) > 0) rows_roster = 0;
 }
