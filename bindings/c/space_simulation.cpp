@@ -84,6 +84,15 @@ avo_result avo_space_simulation_get_time(avo_space_simulation_id simulation, dou
   return guarded([&] { at(time, "time") = fleets.at(simulation).time(); });
 }
 
+avo_result avo_space_simulation_get_steps(avo_space_simulation_id simulation, int64_t* steps) {
+  return guarded([&] { at(steps, "steps") = fleets.at(simulation).steps(); });
+}
+
+avo_result avo_space_simulation_can_step_by(avo_space_simulation_id simulation, double time,
+                                            bool* can_step) {
+  return guarded([&] { at(can_step, "can_step") = fleets.at(simulation).can_step_by(time); });
+}
+
 avo_result avo_space_simulation_get_robot_count(avo_space_simulation_id simulation, size_t* count) {
   return guarded([&] { at(count, "count") = fleets.at(simulation).size(); });
 }

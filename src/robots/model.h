@@ -4,7 +4,8 @@
 // follow, and its steering. A robot that cannot rest falls back on a circle (src/robots/flight.h),
 // every other robot on straight braking of its disc (src/certificate/braking_path.h).
 //
-// Everything is about the robot's disc, see disc_center(). Only src/robots distinguishes models.
+// Everything is about the robot's disc, see disc_center(). Other code asks for what a model can do
+// (model_traits()), and for values that only one model has.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -97,6 +97,13 @@ static void a_fleet_moves_as_in_cpp(void) {
   CHECK(hash == cpp_space_hash(50, false) && hash != cpp_space_hash(50, true));
   REQUIRE(avo_space_simulation_get_time(fleet, &time));
   CHECK(fabs(time - 5.0) < 1e-9);
+  int64_t steps = 0;
+  bool can_step = true;
+  REQUIRE(avo_space_simulation_get_steps(fleet, &steps));
+  REQUIRE(avo_space_simulation_can_step_by(fleet, 5.05, &can_step));
+  CHECK(steps == 50 && !can_step);
+  REQUIRE(avo_space_simulation_can_step_by(fleet, 5.1, &can_step));
+  CHECK(can_step);
   REQUIRE(avo_space_simulation_get_states(fleet, positions, velocities, 6));
   CHECK(positions[0].x > -7.0 && velocities[0].x > 0.5);
   REQUIRE(avo_space_simulation_get_plan(fleet, robot(4), &plan));

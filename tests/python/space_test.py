@@ -294,6 +294,21 @@ def test_bad_numbers_are_a_status_and_other_points_are_refused():
         simulation.set_boxes([avo.space.Box(min=(float("nan"), 9, 9))])
 
 
+def test_what_a_robot_touches_and_when_a_run_ends():
+    balloon = {"position": [0, 20, 0], "velocity": [0, -8, 0], "radius": 3}  # faster than the robot evades
+    lone = {"version": 1, "space": 3, "duration": 3, "time_step": 0.07, "moving_obstacles": [balloon],
+            "robots": [{"position": [0, 0, 0], "goal": [0, 0, 0]}]}
+    simulation = avo.space.Simulation(lone)
+    touched = []
+    while simulation.can_step_by(3):
+        simulation.step()
+        touched.append(simulation.touched(0))
+    assert simulation.time <= 3 < simulation.time + 0.07
+    assert None in touched and {"moving_obstacle": 0} in touched
+    with pytest.raises(avo.Error, match="robot"):
+        simulation.touched(1)
+
+
 def test_set_points_follow_the_reference_one_delay_late():
     quadrotor = avo.space.Quadrotor(mass=1.2, max_thrust=26.0, attitude_time=0.12)
     assert 4.0 < quadrotor.max_acceleration < 7.0

@@ -71,6 +71,15 @@ std::unique_ptr<SharedSpaceSimulation> make_simulation(const py::object& scene, 
   return std::make_unique<SharedSpaceSimulation>(Simulation(scenario, threads));
 }
 
+py::object dict_of(const std::optional<Simulation::Touched>& touched) {
+  if (!touched) return py::none();
+  py::dict entry;
+  if (touched->robot) entry["robot"] = touched->robot->value;
+  if (touched->obstacle) entry["obstacle"] = touched->obstacle->value;
+  if (touched->moving_obstacle) entry["moving_obstacle"] = touched->moving_obstacle->value;
+  return entry;
+}
+
 /// Many steps can take long: from time to time, Python may handle its signals.
 void step(SharedSpaceSimulation& self, std::int64_t n) {
   using Clock = std::chrono::steady_clock;
@@ -172,6 +181,24 @@ void bind_state(SpaceSimulationClass& simulation) {
             return self.briefly([&](const Simulation& s) { return s.route(checked(s, robot)); });
           },
           arg("robot"), "Route, the rest of the route that the robot knows.")
+      .def(
+          "can_step_by",
+          [](SharedSpaceSimulation& self, double time) {
+            return self.briefly([&](const Simulation& s) { return s.can_step_by(time); });
+          },
+          arg("time"),
+          "Whether the next step ends by that time, s. A whole run steps while this is true for "
+          "the "
+          "scene's duration.")
+      .def(
+          "touched",
+          [](SharedSpaceSimulation& self, std::int64_t robot) {
+            return dict_of(
+                self.briefly([&](const Simulation& s) { return s.touched(checked(s, robot)); }));
+          },
+          arg("robot"),
+          "What the robot touches, or will touch although it brakes: {\"robot\": id}, "
+          "{\"obstacle\": id} of a box, or {\"moving_obstacle\": id}; None where nothing.")
       .def("state_hash", told([](const Simulation& s) { return s.state_hash(); }),
            "Equal for equal states, bit by bit.");
 }

@@ -309,6 +309,12 @@ AVO_C_API bool avo_space_simulation_is_valid(avo_space_simulation_id simulation)
 AVO_C_API avo_result avo_space_simulation_step(avo_space_simulation_id simulation);
 AVO_C_API avo_result avo_space_simulation_get_time(avo_space_simulation_id simulation,
                                                    double* time);
+AVO_C_API avo_result avo_space_simulation_get_steps(avo_space_simulation_id simulation,
+                                                    int64_t* steps);
+/// Whether the next step ends by that time, s. A whole run steps while this is true for the
+/// duration of the scene.
+AVO_C_API avo_result avo_space_simulation_can_step_by(avo_space_simulation_id simulation,
+                                                      double time, bool* can_step);
 AVO_C_API avo_result avo_space_simulation_get_robot_count(avo_space_simulation_id simulation,
                                                           size_t* count);
 /// Writes the states of all robots in the order of the definition, which is that of their ids 1, 2,
