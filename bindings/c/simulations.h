@@ -51,4 +51,13 @@ void restart_metrics(Simulation& simulation);
 avo::Simulation make(const avo::Scenario& scenario, const avo_simulation_def& def);
 avo::Simulation make(std::span<const std::byte> saved, const avo_simulation_def& def);
 
+/// value = of(simulation) for the simulation with that id.
+template <typename Value, typename Of>
+avo_result get(avo_simulation_id id, Value* value, const Of& of) {
+  return guarded([&] {
+    const Simulation& own = simulations.at(id);
+    at(value, "result") = of(own.simulation);
+  });
+}
+
 }  // namespace avo_c
