@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which next velocities a certificate admits, told for whoever wants to see it.
+// A caller can ask which next velocities a certificate admits.
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -29,8 +29,9 @@ std::vector<std::uint8_t> admitted_of(const Planner& planner, const Simulation::
   return admitted;
 }
 
-// Of what a decision adds to the velocity: the rest is rounding on the way to the decision and
-// back, and less than the 2^-30 of a step that choices keep from what the certificate refuses.
+// The tests take this part of what a decision adds to the velocity. The rest is rounding to the
+// decision and back. It is less than the 2^-30 of a step that choices keep from what the
+// certificate refuses.
 constexpr double kInside = 1.0 - 1e-12;
 
 // What is decided is admitted, and to go on straight at somebody near is not.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Giving way (docs/arrival.md, rule 2): whom a robot makes room for, and where it stays.
+// A robot makes room for some neighbors (docs/arrival.md, rule 2). These tests check for which ones
+// it does so, and where it stays.
 #include "planner/rules/arrival.h"
 
 #include <cmath>
@@ -117,21 +118,21 @@ struct Waiting {
 const Traffic kAlone, kBesideOne{0.0, true, {}, {}}, kPushed{0.0, true, {-0.5, 0.0}, {}};
 const Traffic kBesideOneAtRest{0.0, true, {}, {-0.5, 0.0}};
 
-// Beside others for twice the time in which it reaches its speed; it then gives way, but does
-// not go back, until it is alone.
+// A robot that is beside others for twice the time in which it reaches its speed makes room. It
+// does not go back until it is alone.
 TEST(GiveWay, who_has_settled_stays_where_it_is_pushed_to) {
   Waiting waiting{at_distance(0.4)};
   EXPECT_EQ(waiting.wish_after(1.9, kBesideOne), waiting.home);
   EXPECT_EQ(waiting.wish_after(0.2, kBesideOne), Vec2{});
   EXPECT_LT(waiting.wish_after(0.05, kPushed).x, -1.0);
   EXPECT_EQ(waiting.wish_after(0.05, kBesideOneAtRest), Vec2{});
-  EXPECT_EQ(waiting.wish_after(1.5, kAlone), waiting.home);  // nobody is in its way
+  EXPECT_EQ(waiting.wish_after(1.5, kAlone), waiting.home);  // no robot hinders it
   EXPECT_GT(waiting.detour.beside, 1.5F);
   EXPECT_EQ(waiting.wish_after(10.0, kAlone), waiting.home);
   EXPECT_EQ(waiting.detour.beside, 0.0F);
 }
 
-// It loosens the crowd around it, and then tries to get in.
+// The robot loosens the crowd around it, and then tries to get in.
 TEST(GiveWay, on_the_last_of_its_way_to_those_at_rest_by_turns) {
   Waiting waiting{at_distance(0.6)};
   EXPECT_NEAR(waiting.wish_after(12.5, kBesideOneAtRest).x,
@@ -154,7 +155,7 @@ TEST(GiveWay, goes_on_by_turns_for_ever) {
   EXPECT_NEAR(away, 126, 1);
 }
 
-// Whoever cannot get back to where it has been comes to rest farther and farther away.
+// A robot that cannot get back to where it has been comes to rest farther and farther away.
 TEST(GiveWay, who_has_been_at_its_goal_settles_beside_it_in_the_end) {
   for (const bool has_arrived : {true, false}) {
     Waiting waiting{at_distance(0.9)};
@@ -180,7 +181,7 @@ TEST(GiveWay, who_has_been_at_its_goal_settles_however_small_the_arrival_distanc
   EXPECT_NE(waiting.wish_after(170.0, kBesideOne), Vec2{}) << "no farther than that";
 }
 
-// Among those at rest on its goal it goes where it prefers to, and to nobody's right.
+// Among robots at rest on its goal a robot goes where it prefers to, and to no robot's right.
 TEST(GiveWay, nobody_does_who_comes_to_rest_among_others) {
   const Planner planner({.method = Method::avo});
   Robot robot;

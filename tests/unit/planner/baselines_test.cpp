@@ -118,7 +118,8 @@ TEST(ReciprocalVelocityObstacle, chooses_outside_the_shifted_cones) {
   EXPECT_GT(inside_the_cone_of_vo, 50);
 }
 
-// Scaling by α = 1/2 about v_A halves the way out; where both go it, they just miss each other.
+// Scaling by α = 1/2 about v_A halves the change of velocity that leads out. Where A and B both
+// make it, they just miss each other.
 TEST(ReciprocalVelocityObstacle, each_of_two_equals_does_half) {
   Random random(6);
   int compared = 0;
@@ -274,7 +275,7 @@ TEST(BufferedVoronoi, speeds_are_the_largest_that_stop_within_the_cell) {
   }
 }
 
-// B 4 m ahead: A's cell ends 1.5 m ahead, and its point nearest the goal is beside A's way.
+// B is 4 m ahead: A's cell ends 1.5 m ahead, and its point nearest the goal is beside A's course.
 TEST(BufferedVoronoi, heads_for_the_point_of_its_cell_nearest_the_goal) {
   const Planner planner(default_options(Method::buffered_voronoi));
   PlanWorkspace workspace;

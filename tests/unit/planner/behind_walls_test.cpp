@@ -127,7 +127,7 @@ TEST(BehindWalls, WithSensingErrorsAllCount) {
       is_same(plan_of(planner, robot, {other}, {kWall}), plan_of(planner, robot, {}, {kWall})));
 }
 
-// Those that are left out get no half-plane, and nobody farther does in their place.
+// Neighbors that are left out get no half-plane, and no farther neighbor gets one in their place.
 TEST(BehindWalls, TheyCountAmongTheNearest) {
   PlannerOptions options = braking();
   options.max_neighbors = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `overlapping` says that an assumption is broken, and with whom: not that rounding or a declared
-// error looks like it.
+// `overlapping` says that an assumption is broken, and with which neighbor. It does not say so
+// where rounding or a declared error looks like a broken assumption.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,8 @@ SafetyReport state_of(const Robot& robot, const std::vector<Neighbor>& neighbors
   return Planner(options).state(robot, neighbors, workspace, walls);
 }
 
-// Of the x axis, its surface so many m above the disc of a robot at rest at (5, y).
+// The wall is parallel to the x axis. Its surface is `gap` m above the disc of a robot at rest at
+// (5, y).
 Wall above(double y, double gap) {
   return {{-20.0, y + 0.5 + gap}, {20.0, y + 0.5 + gap}};
 }
@@ -213,7 +214,7 @@ TEST(Contact, a_neighbor_is_named_by_its_place_in_the_list_given) {
   EXPECT_NEAR(report.depth, 0.02, 1e-9);
 }
 
-// Whoever may truly be 2 cm away is not known to be in contact.
+// A neighbor that may truly be 2 cm away is not known to be in contact.
 TEST(Contact, what_a_declared_error_may_feign_breaks_no_assumption) {
   PlannerOptions options;
   options.sensing_error = {0.02, 0.1};

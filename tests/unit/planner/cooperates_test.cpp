@@ -107,7 +107,7 @@ TEST(Cooperates, the_certificate_is_that_against_a_mover_of_its_velocity) {
   EXPECT_GT(unlike, 20U) << "else nothing tells it from one that decides";
 }
 
-// B drives straight on, as nobody has promised that it would not.
+// B drives straight on, as no promise says that it would not.
 struct Met {
   bool in_motion = false, at_rest = false;
 };
@@ -141,7 +141,7 @@ TEST(Cooperates, nobody_counts_on_it_to_brake) {
   EXPECT_TRUE(met.at_rest);
 }
 
-// It gives way by its priority, as one that decides.
+// B takes its share by its priority, as a robot that decides does.
 TEST(Cooperates, takes_its_share_by_priority) {
   const Planner planner(test::paper_options());
   const Robot A = test::paper_robot({}, {1.5, 0}, {1.5, 0});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How deep the certificate's cuts go: no second proposal is in vain, and nobody backs off at rest.
+// These tests check how deep the certificate's cuts go. No second proposal is in vain, and no robot
+// backs off at rest.
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -22,8 +23,8 @@ Outcome choose_beside(const Robot& a, const Robot& b, Vec2 wanted, const Certifi
   return {choice, workspace.hard.size()};
 }
 
-// Most refused wishes of pairs that meet take one cut, and what is chosen is no farther from the
-// wish than needed: a fifth of the way between them nearer to it, it is refused.
+// Most refused wishes of pairs that meet take one cut. What is chosen is no farther from the wish
+// than needed: a velocity nearer by a fifth of their distance is refused.
 TEST(Cuts, lead_from_a_refused_wish_to_what_is_admitted_at_once) {
   const CertificateLaw law =
       law_of(options_of(Certificate::braking_trajectories, Motion::held, 0.1, 2.0));

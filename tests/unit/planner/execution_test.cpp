@@ -104,7 +104,7 @@ TEST(Execution, gives_way_to_the_certificate) {
   const Planner planner({.comfort_acceleration = 0.2, .comfort_jerk = 0.2});
   PlanWorkspace workspace;
   const Robot self{.velocity = {1.0, 0.0}, .preferred_velocity = {1.5, 0.0}};
-  const Neighbor ahead{.position = {1.5, 0.0}};  // the way to stop is 0.5 m
+  const Neighbor ahead{.position = {1.5, 0.0}};  // the robot stops within 0.5 m
   Detour detour{.acceleration_x = 0.2F};
   const Plan plan = planner.plan(self, {&ahead, 1}, workspace, &detour);
   EXPECT_NEAR(plan.acceleration.x, -1.0, 1e-6);
@@ -130,8 +130,8 @@ TEST(Execution, remembers_in_the_detour_alone) {
   }
 }
 
-// Whoever decides among movers alone, or is given what no decision can be made from, has an
-// acceleration as well.
+// A robot that decides among moving obstacles alone has an acceleration as well. So has a robot
+// that is given what no decision can be made from.
 TEST(Execution, remembers_every_decision) {
   const Planner planner({});
   PlanWorkspace workspace;
@@ -192,7 +192,8 @@ TEST(Execution, aims_half_of_the_way_to_a_wish_that_can_wait) {
   EXPECT_EQ(aim_of(robot, {}), half);
   EXPECT_EQ(aim_of(robot, {other}), half);
   EXPECT_EQ(aim_of(robot, {other, mover}), all);
-  // whom it could not touch within 4 τ, 12 s, at its 2 m/s does not matter
+  // A moving obstacle that the robot could not touch within 4 τ, 12 s, at its 2 m/s does not
+  // matter.
   mover.position.y = 24.99, mover.radius = 0.5;
   EXPECT_EQ(aim_of(robot, {mover}), all);
   mover.position.y = 25.01;
@@ -208,7 +209,7 @@ TEST(Execution, aims_half_of_the_way_to_a_wish_that_can_wait) {
     EXPECT_EQ(aim_of(robot, {}), half);
     EXPECT_EQ(aim_of(robot, {mover}), all);
     EXPECT_EQ(aim_of(robot, {}, true), all) << "maneuvers";
-    robot.distance_to_goal = 9.9;  // radius 0.5: on the last of the way
+    robot.distance_to_goal = 9.9;  // radius 0.5: the robot is on the last of its route
     EXPECT_EQ(aim_of(robot, {}), all);
     robot.distance_to_goal = 50.0;
   }
@@ -241,7 +242,7 @@ TEST(Execution, aims_at_the_wish_where_a_step_leads_there) {
     EXPECT_EQ(aim_of({.distance_to_goal = distance}, {}, false, options), Vec2(0.0, 2.0));
 }
 
-// The shortcut that most robots take leaves nobody out who comes to rest.
+// The shortcut that most robots take leaves out no robot that comes to rest.
 TEST(Landing, is_noticed_of_whomever_is_near_its_goal) {
   test::Random random(33);
   int landing = 0, on_the_way = 0;

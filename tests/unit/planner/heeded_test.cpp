@@ -8,8 +8,7 @@
 namespace avo::test {
 namespace {
 
-// A is at its goal, and B and C pass on both sides. B is nearer, but gives way to A; A gives way to
-// C.
+// A is at its goal, and B and C pass on both sides. B is nearer, but yields to A; A yields to C.
 TEST(Heeded, is_the_neighbor_that_pushes_most_by_the_priorities_too) {
   const auto heeded_by = [](double priority_of_b, double priority_of_c) {
     const Planner planner(PlannerOptions{});

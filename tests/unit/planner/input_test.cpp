@@ -173,7 +173,7 @@ TEST(Status, an_airplane_that_does_not_know_its_place_flies_on) {
   EXPECT_NEAR(norm(plan.next_velocity), 2.0, 1e-6);
 }
 
-// A car brakes along its heading, and others see only which way it moves.
+// A car brakes along its heading, and others see only the direction in which it moves.
 TEST(Status, a_car_that_moves_off_its_heading_is_invalid) {
   for (const Method method : {Method::avo, Method::avo_paper}) {
     const Planner planner(default_options(method));
@@ -263,8 +263,8 @@ TEST(Status, extreme_numbers_never_make_a_NaN) {
   EXPECT_EQ(decided, 80'000);
 }
 
-// No 0/0, no root of a negative number, no comparison with a NaN on the way to any decision: what
-// is undefined is asked for before, not afterwards by how NaN compares.
+// No decision takes 0/0, a root of a negative number or a comparison with a NaN. The planner asks
+// for what is undefined before, not afterwards by how NaN compares.
 TEST(Status, no_decision_rests_on_an_invalid_operation) {
 #ifdef __clang__
   GTEST_SKIP() << "this compiler may compute both sides of a branch";

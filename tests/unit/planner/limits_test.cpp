@@ -153,8 +153,8 @@ TEST(Limits, the_speed_disc_is_round) {
   }
 }
 
-// A preferred velocity of v_max whose square rounds up and whose length does not: one decision in
-// fifty took a corner of the discs instead, 0.1 m/s to 2 m/s aside.
+// The square of a preferred velocity of v_max rounds up here, and its length does not. Without a
+// guard one decision in fifty takes a corner of the discs instead, 0.1 m/s to 2 m/s aside.
 TEST(Limits, at_the_speed_limit_rounding_does_not_turn_the_robot) {
   for (const double delta : {0.1, 4.0}) {
     PlannerOptions options = test::paper_options();

@@ -26,7 +26,7 @@ double distance_ahead(const PlannerOptions& options, const Robot& A, Vec2 v_new_
       .distance;
 }
 
-// B stands still and pulls out across A's way: only its acceleration gives it away.
+// B stands still and pulls out across A's course: only B's acceleration tells this.
 TEST(Movers, observed_acceleration_is_avoided_by_both_ways_of_planning) {
   const PlannerOptions options = test::paper_options();
   const Planner planner(options);
@@ -144,7 +144,7 @@ TEST(Movers, the_exact_set_is_no_worse_than_half_planes) {
       EXPECT_EQ(planner.plan(crowd.robot, crowd.neighbors, workspace).new_velocity,
                 exact.new_velocity);
     }
-    // beside somebody who decides, however far away, half-planes are what is shared out
+    // Beside a robot that decides, however far away, half-planes are what is shared out.
     crowd.neighbors.push_back({.position = crowd.robot.position + Vec2{1e6, 0.0}});
     const Plan planes = planner.plan(crowd.robot, crowd.neighbors, workspace);
     if (planes.status != PlanStatus::optimal) continue;

@@ -44,7 +44,7 @@ TEST(Order, of_the_neighbors_changes_no_bit_of_a_plan) {
     EXPECT_TRUE(same(planner.plan(crowd.robot, shuffled, workspace, &detour), plan)) << crowd;
     EXPECT_EQ(detour.angle, sorted_detour.angle);
     EXPECT_EQ(detour.beside, sorted_detour.beside);
-    // who is nearest matters
+    // The nearest neighbor matters.
     const std::vector<Neighbor> rest(crowd.neighbors.begin() + 1, crowd.neighbors.end());
     changed_by_the_nearest += same(planner.plan(crowd.robot, rest, workspace), plan) ? 0 : 1;
   }

@@ -105,8 +105,8 @@ TEST(Planes, P9_are_shared_by_ability_and_kept_exactly_where_they_cut) {
   EXPECT_GT(dropped, 2'000);
 }
 
-// Figures worked out by hand: A of a_max 1 takes a quarter against B of a_max 3, three quarters
-// the other way round, and all of it against a mover.
+// The figures are worked out by hand. A of a_max 1 takes a quarter against B of a_max 3. B takes
+// three quarters against A, and A takes all of it against a moving obstacle.
 TEST(Planes, P9_shares_of_unequal_abilities) {
   PlannerOptions options = test::paper_options();
   options.control_time = 1.0;
@@ -134,7 +134,8 @@ TEST(Planes, P9_shares_of_unequal_abilities) {
   EXPECT_NEAR(demand(weak, mover), half_plane(pair, 1.0, horizon).plane.offset, 1e-12);
 }
 
-// Of a pair with the priorities 3 and 1 the first takes a quarter, by every method that shares.
+// In a pair with the priorities 3 and 1 the first robot takes a quarter, by every method that
+// shares.
 TEST(Planes, P9_shares_of_unequal_priorities) {
   PlannerOptions exact = test::paper_options(), orca = exact;
   orca.method = Method::orca;
@@ -162,7 +163,7 @@ TEST(Planes, P9_shares_of_unequal_priorities) {
     EXPECT_NEAR(demand(options, first, second), half / 32.0, 1e-12);
     EXPECT_NEAR(demand(options, second, first), 63.0 * half / 32.0, 1e-12);
   }
-  // of what is left to both, the other way round
+  // What is left to both is shared in reverse.
   second.velocity = {1, 0.3};
   for (const PlannerOptions& options : {exact, orca}) {
     first.priority = second.priority = 1.0;

@@ -17,7 +17,7 @@ struct Meeting {
   Robot A, B;
 };
 
-// Both of random ability, not in contact, mostly on their way towards each other.
+// Both robots have random ability, are not in contact, and mostly drive towards each other.
 Meeting random_meeting(Random& random) {
   Meeting meeting;
   meeting.options.control_time = random.log_uniform(0.1, 8.0);
@@ -72,7 +72,7 @@ TEST(Reciprocity, P8_two_that_both_found_a_velocity_do_not_meet_before_tau) {
   EXPECT_GT(would_meet, 10'000);
 }
 
-// Definition 4: as long as all find a velocity and keep it, nobody meets anybody before τ.
+// Definition 4: as long as all robots find a velocity and keep it, no two of them meet before τ.
 TEST(Reciprocity, P15_no_collision_before_tau_while_all_are_optimal) {
   Random random(15);
   const Planner planner(test::paper_options());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is beyond the relevant range, and not among the nearest, changes no bit of a decision.
+// A neighbor beyond the relevant range, and not among the nearest, changes no bit of a decision.
 #include "planner/stages/relevance.h"
 
 #include <algorithm>
@@ -236,7 +236,8 @@ TEST(Relevance, nobody_beyond_it_can_come_into_contact) {
   }
 }
 
-// Who has a neighbor that does not decide is planned by itself, whom nobody hinders in lanes.
+// A robot with a neighbor that does not decide is planned by itself. A robot that no neighbor
+// hinders is planned in lanes.
 TEST(Relevance, a_mover_far_away_changes_no_bit) {
   Random random(12);
   int free = 0, turning = 0, yielding = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States whose answer is known by hand; and that a decision says of its state what the query says.
+// The answers for these states are known by hand. A decision says of its state what the query says.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -30,7 +30,8 @@ SafetyReport state_of(const Robot& robot, const std::vector<Neighbor>& neighbors
   return Planner(options).state(robot, neighbors, workspace, walls);
 }
 
-// Across its way, its disc `gap` m before the wall, which reaches so far to both sides.
+// The wall stands across the robot's course, `gap` m before its disc, and reaches `half_length` m
+// to both sides.
 Wall across(double gap, double half_length) {
   return {{0.5 + gap, -half_length}, {0.5 + gap, half_length}};
 }

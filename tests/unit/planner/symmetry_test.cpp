@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must not matter to a decision: place, scale, orientation, who is who, order of neighbors.
+// These tests check what must not matter to a decision. This is the place, the scale, the
+// orientation, which robot is which, and the order of neighbors.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

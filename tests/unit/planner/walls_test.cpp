@@ -36,7 +36,7 @@ TEST(SpeedPlanes, the_speed_is_the_largest_that_stops_in_the_gap) {
   EXPECT_EQ(speed_before(-1.0, 1.0, {}), 0.0);
 }
 
-// A robot 1 m before the wall x = 1.5, on its way through it.
+// The robot is 1 m before the wall x = 1.5, and its preferred velocity leads through the wall.
 Robot before_the_wall() {
   Robot robot;
   robot.preferred_velocity = {2.0, 0.0};
@@ -45,7 +45,7 @@ Robot before_the_wall() {
 const Wall kWall{{1.5, -9.0}, {1.5, 9.0}};
 const Wall kThickWall{{1.9, -9.0}, {1.9, 9.0}, 0.4};  // its surface is the same
 
-// Straight at it: on a detour a target may turn a robot while it slows down.
+// The robot drives straight at the wall: on a detour a target may turn a robot while it slows down.
 void drive_straight_at(const Wall& wall) {
   PlanWorkspace workspace;
   for (const Certificate certificate : {Certificate::none, Certificate::braking_trajectories}) {
@@ -96,8 +96,8 @@ TEST(SpeedPlanes, the_half_planes_of_neighbors_yield_first) {
   EXPECT_LE(plan.new_velocity.x * planner.step_rate(), speed + 1e-9);
 }
 
-// Nearly in contact with one behind it, it is pushed on in the open, and where it has all but
-// arrived, but not beside a wall on its way.
+// A robot nearly in contact with one behind it is pushed on in the open, and where it has all but
+// arrived. It is not pushed on beside a wall on its route.
 TEST(PushAmongWalls, who_is_on_its_way_beside_a_wall_is_not_pushed) {
   PlannerOptions options = options_with(Certificate::braking_trajectories);
   options.response_time = 0.0;
@@ -119,8 +119,8 @@ TEST(PushAmongWalls, who_is_on_its_way_beside_a_wall_is_not_pushed) {
   EXPECT_GT(speed({{{-9.0, 0.0}, {9.0, 0.0}}}), 0.09);
 }
 
-// Who is blocked in every direction turns off as far as may be. Beside a wall it then tries its way
-// again.
+// A robot that is blocked in every direction turns off as far as may be. Beside a wall it then
+// tries its own direction again.
 TEST(DetourAmongWalls, begins_anew_where_all_is_blocked) {
   const Planner planner(options_with(Certificate::braking_trajectories));
   Robot robot;

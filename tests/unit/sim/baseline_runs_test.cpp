@@ -10,7 +10,7 @@
 namespace avo {
 namespace {
 
-// Face to face, 20 m apart and on their way, to change places.
+// Two robots drive face to face, 20 m apart, to change places.
 Scenario head_on(Method method) {
   Scenario scene;
   scene.method = method;
@@ -20,7 +20,7 @@ Scenario head_on(Method method) {
   return scene;
 }
 
-// They change places with those opposite.
+// The robots change places with those opposite.
 Scenario circle(Method method, int count, double max_acceleration) {
   Scenario scene;
   scene.method = method;
@@ -71,7 +71,8 @@ TEST(BaselineRuns, velocity_obstacles_oscillate_and_reciprocal_ones_do_not) {
   EXPECT_EQ(rvo.summary.arrived, 2);
 }
 
-// ORCA changes velocities by 2 m/s at once. Who cannot has no room left once τ says to evade.
+// ORCA changes velocities by 2 m/s at once. A robot that cannot do so has no room left once τ says
+// to evade.
 TEST(BaselineRuns, clamped_to_its_acceleration_orca_collides) {
   for (const Method method : {Method::orca, Method::orca_clamped}) {
     Scenario scene = head_on(method);

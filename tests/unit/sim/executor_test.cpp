@@ -70,7 +70,7 @@ TEST(ThreadPool, each_worker_begins_with_its_own_share) {
       if (first[worker] != kNone) return;
       first[worker] = index;
       ++begun;
-      while (begun < kWorkers) std::this_thread::yield();  // nobody finishes before all have begun
+      while (begun < kWorkers) std::this_thread::yield();  // no task finishes before all have begun
     });
     EXPECT_THAT(first, testing::ElementsAre(0, 10, 20));
   }
@@ -240,7 +240,7 @@ class Careless final : public Executor {
   int careless_run = -1, runs = 0;
 };
 
-// Whatever a host does wrong: nobody has moved, or nothing goes on until a state is restored.
+// Whatever a host does wrong, no robot has moved, or nothing goes on until a state is restored.
 void expect_failed(Simulation& simulation, Careless& host, Careless::Fault fault, int run) {
   SCOPED_TRACE("fault " + std::to_string(static_cast<int>(fault)) + " in run " +
                std::to_string(run));

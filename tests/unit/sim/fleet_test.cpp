@@ -130,7 +130,8 @@ TEST(Fleet, removing_keeps_each_column_with_its_robot) {
   EXPECT_EQ(fleet.goal[16], goal);
 }
 
-// A robot that appears in the way is seen in the next step, one that is gone no longer.
+// A robot that appears on the course of another one is seen in the next step. One that is gone is
+// seen no longer.
 TEST(Fleet, newcomers_are_seen_at_once) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {20, 0}), robot_at({0, 50}, {0, 50})};

@@ -35,7 +35,7 @@ struct Trip {
 
 struct Arrived {
   double error;         // m, at the end
-  double beyond;        // m, how far past the goal along the way, at most
+  double beyond;        // m, how far past the goal along the line, at most
   double restlessness;  // m and m/s, largest change of the state in the last fifth
   double speed;         // m/s, at the end
   double acceleration;  // part of the limit, at most

@@ -11,7 +11,7 @@
 namespace avo {
 namespace {
 
-// One robot on its way among movers.
+// One robot drives to its goal among moving obstacles.
 Scenario among_movers(Method method) {
   Scenario scene;
   scene.method = method;
@@ -46,14 +46,14 @@ TEST(Locality, a_robot_a_kilometer_away_changes_no_bit_of_a_path_among_movers) {
       }
       EXPECT_GT(among, 100);
       if (!avoids_union(method)) {
-        EXPECT_FALSE(together.perceive({1}).among_movers);  // it senses nobody
+        EXPECT_FALSE(together.perceive({1}).among_movers);  // it senses no neighbor
       }
     }
   }
 }
 
-// A second robot comes into the sensing radius in the midst of an encounter, and leaves it: the way
-// of planning changes there and back, and nobody is touched while it moves.
+// A second robot comes into the sensing radius in the midst of an encounter, and leaves it. The
+// manner of planning changes there and back, and no robot is touched while it moves.
 TEST(Locality, switching_within_an_encounter_keeps_the_promise) {
   test::Random random(5);
   int switches = 0;

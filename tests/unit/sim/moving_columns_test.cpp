@@ -29,7 +29,8 @@ struct Mover {
   RobotTraits traits;
 };
 
-// Far from its goal, on the last of its way, or there; at rest, or as fast as it may be and beyond.
+// The robot is far from its goal, on the last of its route, or there. It is at rest, or as fast as
+// it may be and beyond.
 Mover random_mover(Random& random) {
   Mover m;
   m.traits.max_speed = random.log_uniform(0.1, 10.0);

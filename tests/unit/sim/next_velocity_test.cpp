@@ -13,7 +13,7 @@ namespace {
 using test::dense_avo_scene;
 using test::dense_scene;
 
-// Cars under a certificate, some of which start across their way.
+// Cars drive under a certificate, and some of them start across their course.
 Scenario scene_of_cars(Certificate certificate) {
   Scenario scene = dense_scene(60, Motion::held, 4);
   scene.method = Method::avo;
@@ -86,7 +86,7 @@ TEST(NextVelocity, of_a_robot_that_does_not_know_its_own_is_0) {
   PlanWorkspace workspace;
   const Robot lost{.velocity = {std::nan(""), 1.0}};
   EXPECT_EQ(planner.plan(lost, {}, workspace).next_velocity, Vec2{});
-  // of others only what they want is wrong: they brake
+  // Only the preferred velocity of this robot is wrong: it brakes.
   const Robot confused{.velocity = {1.0, 0.0}, .preferred_velocity = {std::nan(""), 0.0}};
   const Plan plan = planner.plan(confused, {}, workspace);
   EXPECT_EQ(plan.status, PlanStatus::invalid_input);

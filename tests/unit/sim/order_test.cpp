@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Large fleets are kept in spatial order, of which nobody outside notices anything.
+// Large fleets are kept in spatial order, and a caller notices nothing of it.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <thread>
@@ -65,7 +65,7 @@ TEST(SpatialOrder, every_robot_decides_on_what_it_perceives) {
   }
 }
 
-// Whoever is faster than it may be is dangerous from farther away.
+// A robot that is faster than it may be is dangerous from farther away.
 TEST(SpatialOrder, the_fast_are_seen_by_all) {
   Random random(6);
   Scenario scene = crowd_of(100, Method::avo, 12.0);
@@ -92,8 +92,8 @@ TEST(SpatialOrder, any_number_of_threads_gives_the_same_bits) {
   }
 }
 
-// A fleet that stays as it is, and the same robots among others that are far away, too many to
-// stay as they are.
+// The small fleet stays in its order. The large one has the same robots among others that are far
+// away, too many to stay in theirs.
 TEST(SpatialOrder, changes_no_bit) {
   const int few = 300;
   const Scenario small = crowd_of(few, Method::avo);
@@ -164,7 +164,7 @@ TEST(SpatialOrder, a_fleet_may_be_looked_at_by_many_at_once) {
   }
 }
 
-// All in one cell, all in one place: bounded, and nobody is lost.
+// All robots are in one cell, or all in one place. The work is bounded, and no robot is lost.
 TEST(SpatialOrder, degenerate_crowds) {
   for (const double spacing : {1e-3, 0.0}) {
     Scenario scene = crowd_of(kOrdered, Method::avo_paper, spacing);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whose goals leave no room for all of them come to rest around the place, by what they see.
+// Robots with goals that leave no room for all of them come to rest around the place, by what they
+// see.
 #include "guidance/places.h"
 
 #include <algorithm>
@@ -208,7 +209,7 @@ TEST(Rallies, come_to_rest_beside_walls) {
   expect_rest(scene);
 }
 
-// Nobody gets nearer than there is room, and whoever comes later does not put others aside.
+// No robot gets nearer than there is room, and one that comes later does not put others aside.
 TEST(Rallies, are_joined_from_outside) {
   const Scenario scene = rally(6, 0.0, false, 1);
   Simulation simulation(scene, 1);

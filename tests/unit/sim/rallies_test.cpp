@@ -143,7 +143,7 @@ TEST(RalliesAmongWalls, come_to_rest_around_a_mover_that_rests_on_the_goal) {
   expect_rest(scene);
 }
 
-// Those who want to get through do, and the others come back and rest.
+// Robots that want to get through do, and the others come back and rest.
 TEST(RalliesAmongWalls, let_through_a_lane_who_has_another_goal) {
   for (const int robots : {2, 3, 5}) {
     SCOPED_TRACE(robots);

@@ -204,7 +204,7 @@ TEST(SavedBytes, forged_ways_and_static_obstacles_are_refused) {
   seal(taken);
   EXPECT_EQ(refusal(simulation, taken),
             "saved state: found id 0, must be ascending and below the next, 0");
-  const std::size_t radius = next_obstacle - 2;  // nobody has stood near a shared goal
+  const std::size_t radius = next_obstacle - 2;  // no robot has stood near a shared goal
   for (const std::uint64_t value : {0ull, 0x7ff8000000000000ull, 0xbff0000000000000ull}) {
     Bytes blind = saved;
     set_word(blind, radius, value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes whose saved states are looked at.
+// The tests look at the saved states of these scenes.
 #pragma once
 #include <cstddef>
 #include <vector>

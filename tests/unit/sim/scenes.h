@@ -23,8 +23,9 @@ inline Scenario paper_scene() {
   return scene;
 }
 
-/// `count` robots of mixed sizes and limits on a jittered lattice 1.6 m wide, every fifth a car,
-/// on their way to random goals in the crowd, and three moving obstacles through it.
+/// There are `count` robots of mixed sizes and limits on a jittered lattice 1.6 m wide, and every
+/// fifth is a car. They drive to random goals in the crowd, and three moving obstacles pass through
+/// it.
 inline Scenario dense_scene(int count, Motion motion, std::uint64_t seed = 1) {
   Random random(seed);
   Scenario scene = paper_scene();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who shares its goal with others stands once it is within the arrival distance.
+// A robot that shares its goal with others stands once it is within the arrival distance.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST(SharedGoals, are_those_of_robots_that_keep_apart) {
   }
 }
 
-// Of three, two keep apart; the third one is in a layer of its own.
+// Two of three robots keep apart; the third one is in a layer of its own.
 TEST(SharedGoals, are_told_one_by_one) {
   Scenario scene = far_and_near();
   scene.robots.push_back(robot_at({900, 0}, {0, 0}));
@@ -233,8 +233,8 @@ TEST(SharedGoals, are_minded_by_method_avo_alone) {
   }
 }
 
-// A robot that senses movers alone is planned apart from the others: whoever stops is the right
-// one.
+// A robot that senses moving obstacles alone is planned apart from the others. The robot that stops
+// is the right one.
 TEST(SharedGoals, stop_those_who_share_them_beside_robots_among_movers) {
   Scenario scene = far_and_near();
   scene.robots.insert(scene.robots.begin(), robot_at({200, 0}, {230, 0}));

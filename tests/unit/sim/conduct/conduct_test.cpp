@@ -137,7 +137,7 @@ TEST(Parked, comes_and_goes_like_an_obstacle) {
   EXPECT_TRUE(simulation.all_at_goal());
   simulation.remove_robot(added);
   simulation.set_goal({0}, {-6, 0});
-  double farthest = 0.0;  // off the straight way
+  double farthest = 0.0;  // m, off the straight line
   for (int k = 0; k < 100; ++k) {
     simulation.step();
     farthest = std::max(farthest, std::abs(simulation.fleet().position[0].y));
@@ -278,7 +278,7 @@ TEST(Layers, to_the_one_that_avoids_a_car_it_accelerates_as_its_set_allows) {
             "body is not over its axle");
   scene.robots[1].avoids.bits = 3;
   EXPECT_EQ(refusal(scene), "");
-  scene.robots[0].layers = {};  // nobody avoids it
+  scene.robots[0].layers = {};  // no robot avoids it
   EXPECT_NE(refusal(scene), "");
   scene.robots[1].model = Holonomic{};
   Simulation simulation(scene, 1);
@@ -319,7 +319,7 @@ TEST(Layers, to_the_one_that_avoids_the_other_is_a_mover) {
   EXPECT_TRUE(simulation.all_at_goal());
 }
 
-// Trucks that avoid nobody cross a crowd and brake behind it. Nobody is touched in motion.
+// Trucks that avoid no robot cross a crowd and brake behind it. No robot is touched in motion.
 TEST(Layers, movers_touch_robots_at_rest_only_whatever_they_do) {
   Random random(11);
   Scenario scene;

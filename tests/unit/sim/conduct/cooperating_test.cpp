@@ -41,13 +41,14 @@ TEST(Cooperating, is_sensed_as_such_by_whom_it_avoids) {
   EXPECT_EQ(simulation.fleet().setup[1].behavior, Behavior::cooperates);
   scene.robots[1].avoids = {0};
   EXPECT_EQ(of_first(Simulation(scene, 1)).behavior, Behavior::moves_on);
-  scene.sensing.dropped = 0.1;  // by another way
+  scene.sensing.dropped = 0.1;  // robots then sense by other code
   scene.robots[1].avoids = scene.robots[0].avoids;
   EXPECT_EQ(of_first(Simulation(scene, 1)).behavior, Behavior::cooperates);
 }
 
-// Whoever decides matters to the certificate from as far as both can brake; one that cooperates
-// from as far as it comes until the other one rests, be it among the nearest or not.
+// A robot that decides matters to the certificate from as far as both can brake. One that
+// cooperates matters from as far as it comes until the other one rests, be it among the nearest or
+// not.
 TEST(Cooperating, counts_beyond_the_nearest) {
   Scenario scene = facing();
   scene.max_neighbors = 1;
@@ -89,8 +90,8 @@ TEST(Cooperating, both_do_their_share) {
   EXPECT_GT(aside[1], 0.2);
 }
 
-// All are sent to one place after the other. Whoever decides never touches one that decides, though
-// others among them promise nothing.
+// All robots are sent to one place after the other. A robot that decides never touches one that
+// decides, though others among them promise nothing.
 TEST(Cooperating, those_who_decide_never_touch_each_other) {
   Random random(7);
   for (const bool noisy : {false, true}) {

@@ -96,7 +96,7 @@ std::uint64_t hash_of_run(const Scenario& scene, int steps, int threads = 1) {
   return simulation.state_hash();
 }
 
-// Walls and doors in the way, and movers through it.
+// A solid obstacle and a wall stand on the courses of the robots.
 Scenario furnished(Method method) {
   Scenario scene = circle(24, 9.0, method);
   scene.obstacles = {{{{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, true}}, 0.1, Fill::solid},

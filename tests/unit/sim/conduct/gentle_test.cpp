@@ -21,7 +21,7 @@ Scenario crossing_pair() {
   return scene;
 }
 
-// One that starts across its way, and has to turn.
+// The robot starts across the direction to its goal, and has to turn.
 Scenario turning_robot() {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {10, 0})};

@@ -137,7 +137,7 @@ TEST(Methods, are_evaded_by_those_who_keep_a_certificate) {
     other.max_speed = other.preferred_speed = speed;
     other.velocity = velocity;
     other.time_horizon = scene.time_step;
-    other.max_acceleration = 5.0;  // who counted on that would leave most of it to this one
+    other.max_acceleration = 5.0;  // a robot that counted on it would leave most to this one
     other.radius = random.uniform(0.3, 0.6);
     scene.robots.push_back(other);
     Simulation simulation(scene, 1);
@@ -149,7 +149,7 @@ TEST(Methods, are_evaded_by_those_who_keep_a_certificate) {
   }
 }
 
-// The certificate holds between those who keep it, whoever else is among them.
+// The certificate holds between the robots that keep it, whatever other robots are among them.
 TEST(Methods, of_others_do_not_break_the_promise_that_robots_of_avo_give_each_other) {
   for (const Method other : {Method::orca, Method::avo_paper}) {
     for (const Clock clock : {Clock::common, Clock::free}) {
@@ -286,7 +286,7 @@ TEST(Methods, assumptions_are_those_of_whom_keeps_a_certificate) {
   EXPECT_EQ(broken_assumptions(scene).start_count, 1);
   scene.robots[0].method = Method::orca;
   EXPECT_TRUE(broken_assumptions(scene).none());
-  scene.robots[1].velocity = {-5, 0};  // too fast, which nobody has promised anything of
+  scene.robots[1].velocity = {-5, 0};  // it is too fast, but it promises nothing
   EXPECT_TRUE(broken_assumptions(scene).none());
   EXPECT_FALSE(advice(scene).empty());
   // fast ones of others have to be seen from farther away

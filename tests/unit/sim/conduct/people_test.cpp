@@ -62,7 +62,7 @@ TEST(Paths, of_one_point_end_there) {
   EXPECT_LE(norm(walk.velocity), 1e-6);
 }
 
-// People who walk to and fro through robots on errands.
+// People walk to and fro through robots on errands.
 Scenario busy_hall() {
   Random random(8);
   Scenario scene;
@@ -106,7 +106,7 @@ TEST(People, walk_into_robots_at_rest_only) {
 
 TEST(People, walk_into_hardly_anybody_who_can_leave_their_way) {
   Scenario scene = busy_hall();
-  scene.sensing.noise.position = 1e-6;  // so nobody knows their paths
+  scene.sensing.noise.position = 1e-6;  // so no robot knows their paths
   const RunSummary summary = walk_through(scene);
   EXPECT_LE(summary.mover_collisions, 1);  // where robots stand close together
   EXPECT_EQ(summary.mover_collisions_in_motion, 0);

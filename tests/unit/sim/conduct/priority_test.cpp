@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Priorities say who gives way.
+// Priorities say which robot makes room.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,7 +13,8 @@
 namespace avo {
 namespace {
 
-// s, mean over the first times within half a meter of the goal; who does not arrive counts as 200.
+// These are means, in s, over the first times within half a meter of the goal. A robot that does
+// not arrive counts as 200.
 struct MeanArrivals {
   double first = 0.0, second = 0.0;
 };
@@ -93,9 +94,9 @@ Scenario among_others(Traffic traffic, int others, double priority, std::uint64_
 }
 
 struct Trip {
-  double path = 0.0;     // of the straight way, until it rests
+  double path = 0.0;     // in lengths of the straight line, until it rests
   double arrival = 0.0;  // s, within half a meter of the goal
-  double aside = 0.0;    // m, most that it leaves the straight way, until then
+  double aside = 0.0;    // m, most that it leaves the straight line, until then
 };
 
 Trip trip_of(const Scenario& scene) {
@@ -136,8 +137,8 @@ TEST(Priority, before_five_oncoming_ones_more_of_it_keeps_a_robot_nearer_to_its_
   EXPECT_LE(before.aside, 0.05);
 }
 
-// 2 to 9 others, 8 seeds. Where robots meet in a knot a single run may go either way: means of each
-// number are held to a tolerance, and single runs to a share.
+// There are 2 to 9 others, and 8 seeds. Where robots meet in a knot a single run may turn out
+// better or worse. So means of each number are held to a tolerance, and single runs to a share.
 TEST(Priority, more_of_it_means_no_longer_path_and_no_later_arrival) {
   constexpr int kSeeds = 8;
   for (const Traffic traffic : {Traffic::oncoming, Traffic::crossing, Traffic::circle}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of all kinds in no order, under every kind of sensing, with robots of every model and
-// behavior: what a simulation knows of its robots stays whole, and nobody is touched.
+// The edits are of all kinds in no order, under every kind of sensing, with robots of every model
+// and behavior. What a simulation knows of its robots stays whole, and no robot is touched.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <optional>
@@ -49,12 +49,12 @@ RobotSetup any_robot(const Scenario& scene, Random& random) {
   robot.heading = random.uniform(-3.0, 3.0);
   if (random.below(3) == 0) robot.velocity = random.uniform(0.1, 1.0) * random.direction();
   robot.priority = random.below(4) == 0 ? 4.0 : 1.0;
-  if (random.below(4) == 0) robot.layers = robot.avoids = {2};  // others, who avoid each other
+  if (random.below(4) == 0) robot.layers = robot.avoids = {2};  // others, which avoid each other
   if (random.below(4) == 0) {
     robot.behavior = Behavior::parked, robot.goal = robot.position, robot.velocity = {};
     robot.layers = RobotSetup{}.layers, robot.avoids = RobotSetup{}.avoids, robot.time_step = {};
   } else if (random.below(4) == 0 && is_holonomic(robot.model)) {
-    robot.layers = {4}, robot.avoids = {0};  // it reacts to nobody, and all others to it
+    robot.layers = {4}, robot.avoids = {0};  // it reacts to no robot, and all others to it
   }
   return robot;
 }
@@ -229,7 +229,7 @@ class Edited {
     }
   }
 
-  // Of what the bytes of now hold.
+  // A simulation of the bytes of now goes on as this one does.
   void expect_the_same_future() {
     Simulation other(simulation_.save(), 1);
     EXPECT_EQ(other.state_hash(), simulation_.state_hash());
@@ -268,7 +268,7 @@ class Edited {
            !simulation_.decided(robot);
   }
 
-  // Everybody may be counted on: nobody was put into another one, and all is sensed as declared.
+  // Every robot may be counted on: no robot is put into another one, and all is sensed as declared.
   [[nodiscard]] bool keeps_promise() const {
     return !scene_.allow_broken_assumptions && !scene_.sensing.misses() &&
            scene_.certificate != Certificate::none && scene_.method == Method::avo;

@@ -116,7 +116,8 @@ TEST(StartTime, lets_others_through_a_corridor) {
   EXPECT_TRUE(simulation.all_at_goal());
 }
 
-// Of two doors the one on its route is free: it has not waited for that door.
+// There are two doors. The one on the route of the robot is free: the robot has not waited for that
+// door.
 TEST(StartTime, is_no_time_that_a_robot_has_waited_at_a_door) {
   std::vector<Wall> walls = test::ring({{-16, -8}, {16, -8}, {16, 8}, {-16, 8}});
   walls.push_back({{0, -8}, {0, -0.8}, 0.0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doors that close right before robots of every model in motion: as near as they are accepted,
-// nobody touches them.
+// Doors close right before robots of every model in motion. As near as the doors are accepted, no
+// robot touches them.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

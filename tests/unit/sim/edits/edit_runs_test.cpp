@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs with many edits of static obstacles: nobody is touched, and the bits are the same.
+// These runs have many edits of static obstacles: no robot is touched, and the bits are the same.
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes whose bases do not execute exactly (docs/certificate/execution.md): bodies follow the
-// references, and do not touch. The judge knows the bodies alone.
+// The bases of these scenes do not execute exactly (docs/certificate/execution.md). Bodies follow
+// the references, and do not touch. The judge knows the bodies alone.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

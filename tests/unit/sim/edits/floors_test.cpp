@@ -100,7 +100,7 @@ TEST(Floors, are_judged_by_their_own_walls) {
   EXPECT_EQ(broken_assumptions(crossing).beside_count, 1);
 }
 
-// A robot that heeds one more wall than another one gives way at the same door.
+// A robot that heeds one more wall than another one yields at the same door.
 TEST(Floors, robots_that_heed_other_walls_share_passages) {
   Scenario scene;
   scene.obstacles = {test::pieces(test::corridor(1.6))};

@@ -39,7 +39,7 @@ Scenario crowd(std::size_t robots, std::uint64_t seed) {
   return scene;
 }
 
-// m/s: the fastest way towards the nearest robot that the player's limits allow.
+// The result, in m/s, leads as fast towards the nearest robot as the player's limits allow.
 Vec2 chase(const Simulation& simulation) {
   const RobotState player = simulation.robot(kPlayer);
   const RobotSetup limits = simulation.setup(kPlayer);

@@ -54,7 +54,7 @@ TEST(Host, changes_what_a_robot_can_do_and_it_slows_down) {
   EXPECT_EQ(simulation.state_hash(), again.state_hash());
 }
 
-// The change alone matters, not the way in which it was made.
+// The change alone matters, not the manner in which it is made.
 TEST(Host, changes_are_those_of_a_robot_that_was_so_from_the_start) {
   Scenario scene = two_lanes();
   Simulation changed(scene, 1);

@@ -21,7 +21,8 @@ void park(Simulation& simulation, std::size_t robot, bool is_parked) {
   simulation.change_robot(simulation.robot({robot}).id, setup);
 }
 
-// A robot parks in the way of another one, whose route then leads around it, and drives on later.
+// A robot parks on the course of another one. The route of the other one then leads around it, and
+// the robot drives on later.
 TEST(Parking, makes_a_wall_of_a_robot_and_back) {
   Scenario scene;
   scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({-8, 0}, {8, 0})};
@@ -131,8 +132,8 @@ TEST(Parking, equals_a_robot_that_was_parked_before) {
   }
 }
 
-// A robot that parks has the wall of one that was parked there: of its new radius, and as long as
-// its footprint. Bodies of drives are ahead of their places.
+// A robot that parks has the wall of a robot that is parked there from the start. The wall has the
+// new radius, and is as long as the footprint. The body of a drive is ahead of its place.
 TEST(Parking, has_the_wall_of_its_body) {
   const DifferentialDrive drive{.offset = 0.3};
   DifferentialDrive covered;

@@ -91,7 +91,7 @@ TEST(TeamRuns, a_queue_without_service_waits_for_its_host) {
 TEST(TeamRuns, followers_keep_to_the_trail_and_come_to_rest) {
   Scenario scene = row_of(6, {20, 12});
   for (RobotSetup& robot : scene.robots) robot.preferred_speed = 1.2;
-  scene.obstacles = {{{{{{8, -4}, {8, 9}}, false}}, 0.0, Fill::none}};  // the way is round its end
+  scene.obstacles = {{{{{{8, -4}, {8, 9}}, false}}, 0.0, Fill::none}};  // the route rounds its end
   scene.teams = {make_team(all_of(scene), Follow{.spacing = 1.5})};
   Simulation simulation(scene, 1);
   double worst = 0.0, sum = 0.0;  // m, gaps between neighbors in the row

@@ -100,8 +100,8 @@ TEST(Allocation, none_for_a_look_at_one_robot_and_a_goal_for_it) {
   EXPECT_EQ(allocations - before, 0);
 }
 
-// Whoever comes is checked against the kinds of robots that are there: a list of all would grow
-// four times more often.
+// A newcomer is checked against the kinds of robots that are there: a list of all would grow four
+// times more often.
 TEST(Allocation, as_many_for_a_newcomer_whatever_the_number_of_robots) {
   const auto for_the_third = [](int robots) {
     Scenario scene;
@@ -181,8 +181,8 @@ TEST(Allocation, none_per_step_among_walls) {
   }
 }
 
-// Crowds gather at doors, and more and more robots claim each of them. Nobody has waited there for
-// long enough yet to look for another way, which needs a map of its own.
+// Crowds gather at doors, and more and more robots claim each of them. No robot has waited there
+// for long enough yet to look for another route, which needs a map of its own.
 TEST(Allocation, none_per_step_at_passages) {
   for (const int workers : {1, 2}) {
     const Scenario scene = test::crowd_at_doors(300, RightOfWay::seen);

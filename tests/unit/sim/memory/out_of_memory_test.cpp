@@ -72,7 +72,7 @@ TEST(OutOfMemory, a_plan_with_what_was_reserved_needs_none) {
             0);
 }
 
-// A fleet, and then a crowd such as nobody made room for.
+// A fleet takes a step, and then a crowd comes for which no memory is set aside.
 Simulation crowded(int threads) {
   Simulation simulation(test::dense_avo_scene(280, Motion::held, Certificate::braking_trajectories),
                         threads);

@@ -52,9 +52,9 @@ std::int64_t broken_in_motion(const Scenario& scene) {
   return broken + check.report().mover_contacts_moving.count;
 }
 
-// At v_max 2 and u 0.1 braking takes a whole number of steps, which rounding may count as one more:
-// an interval in which the robot has come to rest must not count as one in which it moves. The
-// obstacle crosses its way fast, at an angle that the search found.
+// At v_max 2 and u 0.1 braking takes a whole number of steps, which rounding may count as one more.
+// An interval in which the robot has come to rest must not count as one in which it moves. The
+// moving obstacle crosses the robot's course fast, at an angle that the search found.
 TEST(CertifiedMotion, whole_numbers_of_steps_are_counted_once) {
   int crossed = 0;
   Scenario scene;

@@ -32,7 +32,7 @@ RobotSetup drive_at(Vec2 position, Vec2 goal, double heading) {
   return setup;
 }
 
-// A simulation whose wheels are watched at 64 instants of each step, as the plans say that q
+// This simulation watches the wheels at 64 instants of each step, as the plans say that q
 // accelerates.
 class Watched {
  public:

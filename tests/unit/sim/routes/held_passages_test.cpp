@@ -31,7 +31,7 @@ std::vector<Wall> lanes(int count, double width) {
   return walls;
 }
 
-// One that rests there and minds nobody: it makes no room.
+// This robot rests there and minds no other one: it makes no room.
 RobotSetup holder(Vec2 place) {
   RobotSetup robot = test::robot_at(place, place);
   robot.avoids = {0};
@@ -81,7 +81,8 @@ TEST(HeldPassages, are_gone_around_once_that_has_taken_as_long) {
   EXPECT_LT(around, 45.0);
 }
 
-// One in the middle leaves no way past it, and nobody waits in turn: who waits does so for longer.
+// A robot in the middle leaves no room past it, and no robot waits in turn. The robot that waits
+// does so for longer.
 TEST(HeldPassages, of_two_lanes_are_gone_around_later) {
   Simulation free(held_scene(2, {}, kTwoLanes), 1), held(held_scene(2, {0}, kTwoLanes), 1);
   const double straight = arrival_of(free, 60.0), around = arrival_of(held, 80.0);
@@ -90,7 +91,8 @@ TEST(HeldPassages, of_two_lanes_are_gone_around_later) {
   EXPECT_LT(around, 55.0);
 }
 
-// Where no other way is: after 32 T it goes back for as long as half of that, and comes again.
+// There is no other route. After 32 T the robot goes back for as long as half of that, and comes
+// again.
 TEST(HeldPassages, of_two_lanes_without_another_way_send_those_back_who_have_waited) {
   Simulation simulation(held_scene(1, {0}, kTwoLanes), 1);
   const auto least_x = [&](double until) {
@@ -110,7 +112,7 @@ TEST(HeldPassages, of_two_lanes_without_another_way_send_those_back_who_have_wai
   EXPECT_GT(simulation.robot({0}).position.x, -2.5) << "it has come again";
 }
 
-// It never rests, and so it is no wall of the way.
+// The moving obstacle never rests, and so it is no wall of the route.
 TEST(HeldPassages, are_gone_around_where_a_mover_walks_to_and_fro) {
   Scenario scene = held_scene(2, {});
   MovingObstacle mover;
@@ -147,7 +149,7 @@ TEST(HeldPassages, without_another_way_are_waited_at) {
   EXPECT_LT(arrival_of(simulation, 100.0), 85.0);
 }
 
-// It does not turn back for it: by then its shortest way leads elsewhere.
+// The robot does not turn back for the open passage: by then its shortest route leads elsewhere.
 TEST(HeldPassages, are_open_again_to_whoever_has_gone_around) {
   World world(held_scene(2, {0}), std::make_unique<SerialExecutor>());
   world.travels = plan_travels(world.routes, world.fleet, world.floor, 0.5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where corners are so many that each robot searches for its own way, nothing depends on who asks
-// first, on how many threads ask, nor on what was known before.
+// On maps with so many corners each robot searches for its own route. Nothing depends on which
+// robot asks first, on how many threads ask, nor on what was known before.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <optional>
@@ -59,7 +59,8 @@ TEST(LargeMaps, stepsAreTheSameOnSeveralThreads) {
   }
 }
 
-// Across the way of the first robot from `first` on that has room for it ahead, with nobody near.
+// The wall stands across the route of the first robot from `first` on that has room for it ahead,
+// with no robot near.
 std::optional<StaticObstacle> wall_across_a_way(const Simulation& simulation, std::size_t first) {
   const std::span<const Vec2> positions = simulation.fleet().position;
   for (std::size_t k = first; k < positions.size(); ++k) {

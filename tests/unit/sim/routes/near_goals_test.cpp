@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whom walls keep from its goal goes to the nearest place that it can reach, and rests there.
+// A robot that walls keep from its goal goes to the nearest place that it can reach, and rests
+// there.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -116,7 +117,7 @@ TEST(NearGoals, deep_in_an_obstacle_or_elsewhere_are_told_with_the_distance_left
   EXPECT_TRUE(told[2].is_in_wall && !told[2].counts_as_there);
 }
 
-// But where a way leads there, nobody is there before it has gone that way.
+// But where a route leads to the goal, the robot has not arrived before it has gone that route.
 TEST(NearGoals, right_behind_a_wall_are_arrived_at_before_it_if_no_way_leads_around) {
   Scenario scene;
   scene.obstacles = {test::pieces(kDivided)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One robot that is unlike the others changes no bit by being looked for only where it is, and
-// costs those who are near none nothing.
+// One robot that is unlike the others is looked for only where it is, and this changes no bit. The
+// robot costs nothing to the robots that are not near it.
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -104,7 +104,8 @@ struct Steps {
     world.outliers.usual = Scrutiny::everyone;
     world.outliers.robots.clear();
   }
-  // How many candidates all robots have ranked, and whom they have sensed, at the end of a step.
+  // The result counts the candidates that all robots have ranked, and the neighbors that they have
+  // sensed, at the end of a step.
   std::size_t work() {
     Worker& worker = world.workers[0];
     std::size_t sum = 0;

@@ -23,7 +23,7 @@ RobotSetup with_distance(Vec2 position, Vec2 goal, std::optional<double> distanc
   return robot;
 }
 
-// Lanes 20 m apart: nobody hinders another one.
+// The lanes are 20 m apart: no robot hinders another one.
 Scenario lanes() {
   Scenario scene;
   scene.sensing_radius = 10.0;

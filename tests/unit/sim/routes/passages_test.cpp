@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fleets at narrow passages: who waits, who goes, and that all arrive.
+// Fleets come to narrow passages. These tests check which robots wait, which ones go, and that all
+// arrive.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
@@ -55,7 +56,7 @@ TEST(RobotsAtPassages, TwelveGetThroughACorridorOfOneLaneBothWays) {
   EXPECT_LT(arrived_after(both_ways(walls, 20, RightOfWay::none), 150.0), 20);
 }
 
-// The one that comes second waits beside the way out, and never stands in the door meanwhile.
+// The robot that comes second waits beside the exit, and never stands in the door meanwhile.
 TEST(RobotsAtPassages, OneOfTwoGoesFirst) {
   Scenario scene;
   scene.obstacles = {test::pieces(test::corridor(1.6))};
@@ -206,7 +207,7 @@ TEST(Claims, EndInsideWhereTheGoalIs) {
   EXPECT_TRUE(claim->ends);
 }
 
-// The corner at which the way leaves it may be as far off as the passage is long.
+// The corner at which the route leaves the passage may be as far off as the passage is long.
 TEST(Claims, InsideHoldHoweverLongThePassageIs) {
   Scenario scene;
   scene.obstacles = {test::pieces({{{-20, 0.8}, {20, 0.8}}, {{-20, -0.8}, {20, -0.8}}})};

@@ -20,7 +20,7 @@ MovingObstacle disc(Vec2 position, double radius, Vec2 velocity = {}) {
   return result;
 }
 
-// A row across the straight way, with gaps that nobody fits through.
+// A row stands across the straight line to the goal, with gaps that no robot fits through.
 Scenario row_of(int count, double y, Vec2 velocity = {}) {
   Scenario scene;
   scene.robots = {robot_at({-10, 0}, {10, 0})};
@@ -82,7 +82,7 @@ TEST(RestingMovers, that_stand_on_a_goal_have_the_robot_beside_them) {
   }
 }
 
-// Of two doors one is blocked by a cart, as long as that stands there.
+// A cart blocks one of two doors, as long as it stands there.
 TEST(RestingMovers, in_a_door_send_robots_through_another_one) {
   Scenario scene;
   scene.robots = {robot_at({-6, 0}, {6, 0})};
@@ -102,7 +102,7 @@ TEST(RestingMovers, in_a_door_send_robots_through_another_one) {
   EXPECT_TRUE(blocked.unreachable().empty());
 }
 
-// A cart comes to rest in the way while the robot is on it.
+// A cart comes to rest on the route of the robot while the robot drives there.
 Scenario with_a_cart_that_stops() {
   Scenario scene = row_of(6, -4.5);
   MovingObstacle cart = disc({4.0, 6.5}, 0.6);

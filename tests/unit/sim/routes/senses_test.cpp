@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene's sensing makes of true states: noise within its bounds, delay, missed measurements
-// that are carried on, walls that hide; the same whoever asks, and what is declared for it.
+// These tests check what a scene's sensing makes of true states. Noise stays within its bounds,
+// measurements are late, missed ones are carried on, and walls hide neighbors. The results are the
+// same whichever caller asks, and errors are declared.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -44,7 +45,7 @@ SensingModel noisy(double position, double velocity,
   return model;
 }
 
-// Of each coordinate of each neighbor in 25 steps, in units of the noise.
+// These are errors of each coordinate of each neighbor in 25 steps, in units of the noise.
 struct Errors {
   std::vector<double> position, velocity;
 };
@@ -351,7 +352,7 @@ TEST(Senses, what_is_remembered_is_saved_and_belongs_to_the_state) {
     Simulation original(scene, 1), used(scene, 2);
     for (int step = 0; step < 23; ++step) original.step();
     for (int step = 0; step < 9; ++step) used.step();
-    original.remove_robot({3});  // the strongest, for whom all have allowed
+    original.remove_robot({3});  // the strongest, for which all have allowed
     RobotSetup late_comer = robot_at({11.0, 9.0}, {-9.0, -9.0});
     original.add_robot(late_comer);
     original.step();
@@ -403,8 +404,8 @@ TEST(Senses, robots_declare_what_covers_noise_and_delay) {
   EXPECT_EQ(planner_options(scene).sensing_error, SensingError{});
 }
 
-// It is the place that a swing takes elsewhere, and not the velocity from which the car brakes; and
-// one that is slow swings little. So nobody else has to allow for it.
+// A swing takes the place elsewhere, and not the velocity from which the car brakes. A slow car
+// swings little. So no other robot has to allow for it.
 TEST(Senses, a_car_that_comes_late_may_have_swung_as_far_as_it_can_turn) {
   SensingModel model = noisy(0.0, 0.05, NoiseDistribution::uniform);
   model.delay = 2;
@@ -505,7 +506,7 @@ TEST(Senses, nobody_comes_whose_disc_moves_as_nobody_has_declared) {
     for (const RobotSetup& setup : {swinging, exact}) {
       Simulation simulation(scene, 1);
       simulation.add_robot(plain);
-      if (!free && model_traits(setup.model).swings) {  // those who see it late know of it
+      if (!free && model_traits(setup.model).swings) {  // robots that see it late know of it
         EXPECT_NO_THROW(simulation.add_robot(setup));
         continue;
       }

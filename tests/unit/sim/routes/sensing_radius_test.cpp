@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far robots sense whose scene does not say it: as far as they need, also those that come
-// later.
+// These scenes do not say how far robots sense. The robots sense as far as they need, and so do
+// those that come later.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who waits at a passage, and for whom, is told.
+// The simulation tells which robot waits at a passage, and for which one.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>

@@ -86,7 +86,8 @@ TEST(CarGoals, are_reached_with_a_body_farther_off_the_axle_than_the_turning_cir
   }
 }
 
-// It came round too fast to stop, passed its goal and drove the same way again, for ever.
+// The car must not come round too fast to stop, pass its goal and drive the same course again, for
+// ever.
 TEST(CarGoals, a_car_that_comes_to_its_goal_out_of_a_turn_stops_there) {
   Scenario scene;
   scene.arrival_distance = 0.1;
@@ -154,7 +155,7 @@ int turns_at_goals(Simulation& simulation, double duration) {
   return turns;
 }
 
-// It turned round on the spot for what rounding had left of the way.
+// The car must not turn round on the spot for what rounding has left of its route.
 TEST(CarGoals, a_car_that_turns_about_its_axle_stands_where_it_has_come_to_rest) {
   for (const Car& car : {Car{.wheelbase = 0.8}, Car{.wheelbase = 0.8, .reverse = true},
                          Car{.wheelbase = 0.8, .body = CarBody{1e-4, 1.0}}}) {
@@ -213,7 +214,7 @@ TEST(CarGoals, reverse_saves_a_way_round) {
   EXPECT_LT(time_of(false), 20.0);
 }
 
-// Six of them on a circle, who stop each other in its middle.
+// Six cars start on a circle and stop each other in its middle.
 Scenario jam(Random& random, AccelerationSet set) {
   constexpr int kCars = 6;
   Scenario scene;
@@ -262,7 +263,8 @@ RobotSetup car_at(Vec2 position, double heading, Vec2 goal, bool reverse) {
   return robot;
 }
 
-// Its disc touches the wall, towards which it would back along its way: it has to drive off first.
+// The car's disc touches the wall, towards which the car would back along its route. The car has to
+// drive off first.
 TEST(CarGoals, a_car_beside_a_wall_drives_off_it_and_then_back) {
   Scenario scene;
   scene.obstacles = {{{Chain{{{-13, -7}, {-5, -7}, {-5, -2}, {-13, -2}}, true}}}};

@@ -144,8 +144,8 @@ TEST(CarManeuvers, parks_between_two_parked_discs) {
   RecordProperty("last", std::to_string(last));
 }
 
-// A long car on a narrow road, whose way takes more than two moves: with two it drove about for
-// ever.
+// The course of a long car on a narrow road takes more than two moves: with two the car drives
+// about for ever.
 TEST(CarManeuvers, some_gaps_take_several_moves) {
   Scenario scene;
   scene.obstacles = {kerb(3.0), kerb(-17.903675)};

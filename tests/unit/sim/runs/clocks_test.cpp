@@ -164,7 +164,7 @@ TEST(Clocks, cars_hold_their_arcs) {
   EXPECT_LT(report.interpolation_error, 1e-3);
 }
 
-// Whoever starts in motion brakes until its phase, however late that is.
+// A robot that starts in motion brakes until its phase, however late that is.
 TEST(Clocks, a_start_in_motion_keeps_the_limits) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Scenario scene = crossing(8, seed);
@@ -211,7 +211,8 @@ TEST(Clocks, a_start_has_to_allow_for_a_short_first_step) {
   EXPECT_TRUE(apart(0.006));
 }
 
-// The one ahead brakes at once: nobody may count on the step for which it would hold its velocity.
+// The robot ahead brakes at once: no robot may count on the step for which it would hold its
+// velocity.
 TEST(Clocks, a_start_behind_one_that_drives_ahead_is_that_of_joint_braking) {
   Scenario scene;
   scene.time_step = 0.5;
@@ -365,8 +366,8 @@ TEST(Clocks, what_no_clock_can_be_is_refused) {
   EXPECT_THROW(simulation.add_robot(slow), Error);
 }
 
-// Of a step of 0.8 s, in parts: the axle is on the arc of the whole step, and its speed changes
-// evenly; forwards and backwards, and with a disc ahead of the axle.
+// A step of 0.8 s is taken in parts. The axle is on the arc of the whole step, and its speed
+// changes evenly. This holds forwards and backwards, and with a disc ahead of the axle.
 TEST(Clocks, in_the_midst_of_a_step_a_car_is_on_its_arc) {
   constexpr double kLongStep = 0.8;
   Random random(3);

@@ -167,7 +167,8 @@ TEST(Coinciding, those_added_and_moved_to_a_place_part) {
   EXPECT_GE(least_distance(simulation, 0.0), kContact);
 }
 
-// On board whoever knows ids can say so; without, two that wish for the same stay one.
+// On board, a robot that knows ids can say so. Without ids, two robots that wish for the same stay
+// one.
 TEST(Coinciding, on_board_a_parting_direction_tells_two_apart) {
   const Planner planner{PlannerOptions{}};
   PlanWorkspace workspace;

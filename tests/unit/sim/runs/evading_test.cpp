@@ -29,7 +29,8 @@ Robot resting() {
 
 constexpr double kStep = 0.1;  // s
 
-// The robot goes on as `way` says, and then it brakes: least distance from the walker's disc, m.
+// The robot goes on as the evasion says, and then it brakes. The result is the least distance from
+// the walker's disc, in m.
 double clearance_on(Robot robot, const Neighbor& other, Vec2 first, const Evasion& way) {
   double least = 1e9, time = 0.0;
   Vec2 next = first;
@@ -99,7 +100,7 @@ TEST(Evading, is_no_word_for_what_is_chosen_anyway) {
   EXPECT_TRUE(evades({walker({2, 3}, {0, -1})}));
 }
 
-// The one that is nearest goes away, and is in nobody's way.
+// The walker that is nearest goes away, and hinders no robot.
 TEST(Evading, names_the_one_that_is_in_the_way) {
   const Planner planner(default_options(Method::avo));
   PlanWorkspace workspace;
@@ -142,11 +143,11 @@ TEST(WayOut, there_is_one_or_not) {
   EXPECT_TRUE(has({}));
   EXPECT_TRUE(has({walker({-8, 0}, {1, 0})}));
   EXPECT_FALSE(has({walker({-1.5, 0}, {4, 0})})) << "0.2 s before contact";
-  // between two walls there is no way aside, and it comes faster than the robot can run
+  // Between two walls there is no room aside, and the walker comes faster than the robot can run.
   const std::vector<Wall> walls{{{-40, 0.6}, {40, 0.6}, 0.0}, {{-40, -0.6}, {40, -0.6}, 0.0}};
   EXPECT_FALSE(has({walker({-12, 0}, {3, 0})}, walls));
   EXPECT_TRUE(has({walker({-12, 0}, {3, 0})}));
-  // who decides stands in nobody's way here
+  // A robot that decides hinders no other one here.
   Neighbor peer = walker({0.75, 0}, {});
   peer.behavior = Behavior::decides;
   EXPECT_TRUE(has({walker({-8, 0}, {1, 0}), peer}));
@@ -164,7 +165,7 @@ TEST(WayOut, there_is_one_or_not) {
   EXPECT_FALSE(planner.has_evasive_maneuver(broken, {}, workspace));
 }
 
-// The way that leaves the strip of a wide mover takes more than 2 T = 2.2 s.
+// The course that leaves the strip of a wide moving obstacle takes more than 2 T = 2.2 s.
 TEST(WayOut, is_long_enough_for_wide_movers) {
   const Planner planner(default_options(Method::avo));
   PlanWorkspace workspace;

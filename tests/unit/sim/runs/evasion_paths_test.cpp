@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Movers that go to and fro on paths that robots know, or whose trajectories are predicted
+// Moving obstacles go to and fro on paths that robots know, or their trajectories are predicted
 // (docs/movers.md, "Known trajectories").
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ using test::mover;
 using test::one_robot;
 using test::robot_at;
 
-// One that goes to and fro between two points or more, from anywhere on its way.
+// The moving obstacle goes to and fro between two points or more, from anywhere on its path.
 MovingObstacle to_and_fro(test::Random& random, double x) {
   const double tilt = random.uniform(-1.5, 1.5), length = random.uniform(3.0, 6.0);
   const double middle = random.uniform(-1.5, 1.5), speed = random.uniform(0.8, 2.0);
@@ -34,7 +34,7 @@ MovingObstacle to_and_fro(test::Random& random, double x) {
   return m;
 }
 
-// Across the way of the robots.
+// The moving obstacles go across the course of the robot.
 Scenario among_paths(test::Random& random, int count, double time_step) {
   Scenario scene = one_robot({-10, 0}, {10, 0}, time_step);
   scene.sensing_radius = 20.0;
@@ -76,7 +76,8 @@ double room_beside_paths(const Scenario& scene) {
   return least;
 }
 
-// By its velocity alone such a mover leaves for ever, and its limits stop the robot in its way.
+// By its velocity alone such a moving obstacle leaves for ever. The limits of the obstacle make the
+// robot stop on its path.
 TEST(Evasion, nobody_is_hit_by_movers_that_come_back_on_their_paths) {
   for (const double y : {0.0, 1.0, 2.0}) {
     Scenario scene = one_robot({-10, y}, {10, y}, 0.1);

@@ -21,7 +21,7 @@ using test::mover;
 using test::one_robot;
 using test::robot_at;
 
-// Movers that cross the way of the robot, or pass over where it rests.
+// Moving obstacles cross the course of the robot, or pass over where it rests.
 Scenario crossing(test::Random& random, int count, double slowest, double fastest, bool rests,
                   double time_step) {
   Scenario scene =
@@ -177,7 +177,7 @@ TEST(Evasion, is_at_rest_when_touched_where_velocities_are_noisy) {
   }
 }
 
-// Between two walls there is no way aside; a niche is one.
+// Between two walls there is no room aside, but a niche is room.
 TEST(Evasion, among_walls) {
   Scenario scene = one_robot({0, 0}, {0, 0}, 0.1);
   scene.obstacles = {
@@ -187,8 +187,8 @@ TEST(Evasion, among_walls) {
   EXPECT_GE(watch(scene, 24.0).clearance, 0.0);
 }
 
-// A mover that is wider than the way that braking from v_max takes: beside a wall, A goes as far as
-// walls are known.
+// The moving obstacle is wider than the distance that braking from v_max takes. Beside a wall, A
+// goes as far as walls are known.
 TEST(Evasion, of_a_wide_mover_beside_a_wall) {
   Scenario scene = one_robot({0, 0}, {0, 0}, 0.1);
   scene.obstacles = {{.chains = {{{{-40, 1.0}, {40, 1.0}}}}}};
@@ -196,7 +196,7 @@ TEST(Evasion, of_a_wide_mover_beside_a_wall) {
   EXPECT_GE(watch(scene, 40.0).clearance, 0.0);
 }
 
-// Where others stand in the way of the first steps of all ways, what they admit is taken.
+// Where other robots block the first steps of all evasions, the robot takes what they admit.
 TEST(Evasion, among_robots_that_are_in_the_way) {
   test::Random random(8);
   int touched = 0;
@@ -230,7 +230,8 @@ TEST(Evasion, among_robots_that_are_in_the_way) {
   EXPECT_LE(touched, 10);
 }
 
-// Twice as far ahead as towards those who do their share, and by half of its radius.
+// The robot evades twice as far ahead as towards neighbors that do their share, and by half of its
+// radius.
 TEST(Evasion, begins_early_and_keeps_a_margin) {
   const Planner planner{PlannerOptions{}};
   PlanWorkspace workspace;

@@ -302,7 +302,7 @@ TEST(FlightEvasion, there_is_an_evasion_or_not) {
   EXPECT_TRUE(has({}, walls));
   EXPECT_TRUE(has({wide}));
   EXPECT_FALSE(has({wide}, walls));
-  // who cooperates promises nothing, and is no mover either
+  // A robot that cooperates promises nothing, and is no moving obstacle either.
   Neighbor polite = walker({9, 0}, {});
   polite.behavior = Behavior::cooperates;
   EXPECT_EQ(planner.plan(robot, std::vector{polite}, workspace).status, PlanStatus::invalid_input);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where clocks are free, who decides looks at those near it, and nobody else is moved: what comes
-// of it is what comes of moving everybody at every instant.
+// Where clocks are free, a robot that decides looks at those near it, and no other robot is moved.
+// The result is that of moving every robot at every instant.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
@@ -113,7 +113,7 @@ TEST(FreeSteps, are_the_same_of_every_method) {
   }
 }
 
-// Whoever is faster than its limit is told from all others at every instant.
+// A robot that is faster than its limit is told from all others at every instant.
 TEST(FreeSteps, are_the_same_where_some_are_too_fast) {
   Scenario scene = crowd(60);
   for (std::size_t i = 0; i < scene.robots.size(); i += 7) {
@@ -167,8 +167,8 @@ TEST(FreeSteps, are_the_same_whoever_looks_and_whatever_is_edited) {
   EXPECT_EQ(watched.state_hash(), alone.state_hash());
 }
 
-// Everybody is filed once for as many decisions as there are robots. In between nobody is moved but
-// who decides.
+// Every robot is filed once for as many decisions as there are robots. In between, no robot is
+// moved but the ones that decide.
 TEST(FreeSteps, move_nobody_but_those_who_decide) {
   Scenario scene = crowd(200);
   scene.allow_broken_assumptions = true;

@@ -113,7 +113,7 @@ Leaving leave(Simulation& simulation, const Scenario& scene, double last) {
 
 constexpr double kDepths[] = {0.001, 0.02, 0.1, 0.3, 0.499};
 
-// 2 √(d/a) is what the way takes from rest to rest.
+// 2 √(d/a) is the time that the distance d takes from rest to rest.
 TEST(InsideWalls, a_robot_leaves_as_fast_as_it_can_to_its_own_side_and_goes_on) {
   for (const double depth : kDepths) {
     for (const Start& start : starts(depth)) {
@@ -121,7 +121,7 @@ TEST(InsideWalls, a_robot_leaves_as_fast_as_it_can_to_its_own_side_and_goes_on) 
       const Scenario scene = scene_of(start, Holonomic{}, 0.0);
       Simulation simulation(scene, 1);
       const Leaving leaving = leave(simulation, scene, 40.0);
-      // out of both walls of a corner the way is √2 times as long
+      // Out of both walls of a corner the distance is √2 times as long.
       const double way = start.name == "inner corner" ? std::numbers::sqrt2 * depth : depth;
       EXPECT_GT(leaving.clear, 0.0);
       EXPECT_LE(leaving.clear, 2.0 * std::sqrt(way + 0.01) + 0.2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clocks of the robots' own, and measurements of the past: from which instant each one is, that the
-// declared bounds cover it, that nobody touches anybody, and that a run is the same however it is
-// made.
+// Robots have clocks of their own, and measurements of the past. These tests check the instant of
+// each measurement, and that the declared bounds cover it. No robot touches another one, and a run
+// is the same however it is made.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -378,7 +378,7 @@ TEST(LateClocks, whoever_comes_late_has_to_be_seen_from_farther_away) {
   const double need = sensing_need(scene)->range;
   scene.sensing.delay = 2;
   EXPECT_NEAR(sensing_need(scene)->range, need + 2 * 2.0 * 0.2, 1e-12);
-  scene.sensing.dropped = 0.1;  // of whoever decides most seldom
+  scene.sensing.dropped = 0.1;  // the robot that decides most seldom counts
   EXPECT_NEAR(sensing_need(scene)->range, need + 2 * 2.0 * (0.2 + 0.1 * kMostCarried), 1e-12);
 }
 

@@ -94,7 +94,7 @@ struct Drift {
   std::vector<Wall> walls = {};
   Random random{7};
 
-  // m: the least gap on the way, and where it comes to.
+  // The result is the least gap of the run, in m. `robot` is then where it comes to.
   double run(Robot& robot, int steps) {
     PlannerOptions options;
     options.localization_error = declared;
@@ -151,7 +151,7 @@ TEST(LostRobots, what_is_not_declared_makes_contact) {
   EXPECT_LT(least, -0.02);
 }
 
-// However near it is: a way from the wall is one wherever the wall is.
+// However near the robot is, a direction away from the wall is one wherever the wall is.
 TEST(LostRobots, one_beside_a_wall_leaves_it) {
   for (const double gap : {1e-6, 0.01, 0.05, 0.11}) {
     for (const double side : {-1.0, 1.0}) {

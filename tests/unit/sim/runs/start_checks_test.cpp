@@ -185,7 +185,8 @@ TEST(StartChecks, with_free_clocks_others_finish_their_steps) {
   EXPECT_EQ(said_of(simulation, robot_at({x + at_once + 2.0, 0}, {0, 9})), "");
 }
 
-// The disc of a drive moves off its heading: whoever is accepted before it is not touched.
+// The disc of a drive moves off its heading. A robot that is accepted before the drive is not
+// touched.
 TEST(StartChecks, a_drive_in_motion_can_stop_before_whoever_comes) {
   int accepted = 0, refused = 0;
   for (const Clock clock : {Clock::common, Clock::free}) {
@@ -266,8 +267,8 @@ TEST(StartChecks, a_solid_of_nothing_is_no_wall) {
   EXPECT_EQ(restored.state_hash(), with.state_hash());
 }
 
-// Those who come between two steps are checked against those near them, who are found in a grid
-// that is made for the second one.
+// Robots that come between two steps are checked against the robots near them. Those are found in a
+// grid that is made for the second newcomer.
 TEST(StartChecks, many_edits_between_two_steps_are_checked_as_one_alone_is) {
   Scenario scene = test::dense_avo_scene(200, Motion::held, Certificate::braking_trajectories);
   scene.allow_broken_assumptions = false;

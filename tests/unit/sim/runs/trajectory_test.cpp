@@ -161,7 +161,7 @@ TEST(Trajectory, that_nobody_can_follow_is_refused) {
             here + "acceleration: found [0, 1], must be [0, 0] beside a trajectory");
 }
 
-// Who comes fast later has to be seen from far away at once.
+// A moving obstacle that comes fast later has to be seen from far away at once.
 TEST(Trajectory, counts_at_its_fastest_for_how_far_robots_sense) {
   Scenario scene;
   scene.robots = {robot_at({-9, 0}, {9, 0})};
@@ -171,7 +171,7 @@ TEST(Trajectory, counts_at_its_fastest_for_how_far_robots_sense) {
   EXPECT_GT(needed_sensing_radius(scene), slow + 5.0);
 }
 
-// It stands in the way until it leaves, and is evaded on its way.
+// The moving obstacle stands on the course of the robot until it leaves, and is evaded on its path.
 TEST(Trajectory, is_evaded) {
   for (int k = 0; k < 20; ++k) {
     Scenario scene;

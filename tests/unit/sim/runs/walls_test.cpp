@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fleets among walls: nobody touches one, whatever the walls are and whoever joins.
+// Fleets drive among walls: no robot touches one, whatever the walls are and whichever robots join.
 #include "support/walls.h"
 
 #include <gtest/gtest.h>
