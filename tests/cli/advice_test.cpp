@@ -152,7 +152,7 @@ TEST(Advice, localization_that_may_leave_no_way_out_of_a_corner) {
   EXPECT_EQ(avo::advice(walled), Lines{});
   walled.sensing.localization.position = 0.142;  // 0.2008 m
   EXPECT_EQ(avo::advice(walled).size(), 1U);
-  // a parked robot is a wall to the others, and has to find no way itself
+  // a parked robot is a wall to the other robots, and it needs no route itself
   scenario.robots.push_back(
       {.position = {0, 9}, .goal = {0, 9}, .radius = 0.1, .behavior = avo::Behavior::parked});
   EXPECT_EQ(avo::advice(scenario), told);

@@ -43,7 +43,7 @@ TEST(Arrivals, are_the_mean_of_shares_and_not_of_times) {
 }
 
 TEST(Arrivals, stay_where_they_are_known_last) {
-  // the second run has nobody arrive, the third one half
+  // in the second run no robot arrives, and in the third run half of the robots arrive
   expect_points({{"first_arrival", "arrival_50", "arrival_90", "last_arrival"},
                  {{"2", "4", "5", "6"}, {"", "", "", ""}, {"2", "4", "", ""}}},
                 {{0, 0}, {2, 0}, {4, 100.0 / 3}, {5, 140.0 / 3}, {6, 50}});

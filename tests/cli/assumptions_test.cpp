@@ -227,7 +227,7 @@ TEST(Assumptions, a_scene_may_allow_for_breaking_them) {
             0);
 }
 
-// Two floors, and who goes up and down.
+// The scene has two floors, and some robots go up and down.
 TEST(Assumptions, robots_that_do_not_avoid_each_other_may_be_in_one_place) {
   const std::string floors =
       "version: 1\nrobots:\n"

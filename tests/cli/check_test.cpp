@@ -97,7 +97,7 @@ TEST(Check, recordings_of_cars_without_headings_are_judged_by_their_velocities) 
   EXPECT_EQ(result.err,
             "warning: 3000 of 3000 robot-steps are of robots without headings in the recording; "
             "their velocities are judged, and not where they face\n");
-  // its disc is ahead of its position: nobody knows where
+  // the disc is ahead of the position, and without a heading its place is unknown
   const std::string body = "groups.0.car.body={offset: 0.5, radius: 0.9}";
   const ProcessResult unknown =
       check(without_headings(cars.csv), {"--scene", "cars-100", "--set", body});

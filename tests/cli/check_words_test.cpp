@@ -41,7 +41,7 @@ TEST(Check, says_what_it_found_in_words) {
                 "  gaps               1 in the rows of a robot, not judged\n");
 }
 
-// Nobody knows where it was in between.
+// It is unknown where robot 2 was in the missing row.
 TEST(Check, calls_nobody_safe_whose_rows_are_missing) {
   const std::string rows = kHeader +
                            "0,1,0,0,0,0\n0,2,9,0,0,0\n0.1,1,0,0,0,0\n"
@@ -134,7 +134,7 @@ TEST(Check, takes_recordings_in_any_dress) {
       "a,0,0,7,0,3,0\r\na,0,0,0,0,0,0\r\n"
       "b,0,0.5,0,0,0.125,0.5\r\nc,0,0,7,0,3,0.5\r\n"
       ",0,0,7,0,3,1.5\r\n,0,1.5,0,0,1.125,1.5\r\n",
-      // byte order mark, quotes, blanks, other ways to write numbers, no last end of line
+      // byte order mark, quotes, blanks, other forms of numbers, no last end of line
       "\xEF\xBB\xBF\"time\", \"robot\",x ,\ty,vx,vy\n"
       "0.0,0,-0,0,0,1e-999\n0e0,7.0,+3,0,0,0\n"
       "\n5e-1,0,.125,0,\"0.5\",0\n0.5,7,3.,0,0,0\n"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes whose robots have clocks of their own, from the command line.
+// The robots of these scenes have clocks of their own. The tests run the scenes from the command
+// line.
 #include <gtest/gtest.h>
 #include <string>
 
@@ -58,9 +59,9 @@ TEST(FreeClocks, who_decides_at_other_times_breaks_a_rule) {
     EXPECT_EQ(json[rule]["count"], 0) << rule;
 }
 
-// Who follows a path takes the steps that lead from one decision to the next.
+// A person that follows a path takes the steps that lead from one decision to the next.
 TEST(FreeClocks, a_person_on_a_path_is_walked_by_the_times_of_the_recording) {
-  // one that runs: whoever only walks, the robots evade
+  // this person runs, because the robots evade a person that only walks
   const Strings person{"person", "--set", "clock=free", "--set",
                        "moving_obstacles.0.max_speed=2.2"};
   const std::string csv = path_of("person.csv");
@@ -77,7 +78,7 @@ TEST(FreeClocks, a_person_on_a_path_is_walked_by_the_times_of_the_recording) {
   EXPECT_EQ(json["mover_contacts_moving"]["count"], summary["mover_collisions_in_motion"]);
   EXPECT_EQ(json["mover_contacts_at_rest"], summary["mover_collisions"]);
   EXPECT_GT(json["mover_contacts_at_rest"], 0);
-  // from later on nobody knows
+  // where the rows begin later, the place on the path is unknown
   const std::string text = read_file(csv);
   std::size_t end = 0;
   for (int k = 0; k < 25; ++k) end = text.find('\n', end) + 1;

@@ -99,7 +99,7 @@ TEST(Explain, names_moving_obstacles) {
   ASSERT_EQ(json["neighbors"].size(), 2U) << "the other one is too far away";
   EXPECT_EQ(json["neighbors"][0]["neighbor"], "moving_obstacles.1");
   EXPECT_EQ(json["neighbors"][0]["max_acceleration"], 0.0);
-  // where the other robot is too far away there is nobody to share half-planes with
+  // where the other robot is too far away, there is no neighbor to share half-planes with
   words.back() = "sensing_radius=15";
   json = explained(words);
   EXPECT_EQ(json["target_by"], "union_of_obstacles");
@@ -290,7 +290,7 @@ TEST(Explain, draws_velocity_space) {
   EXPECT_EQ(files_in(folder()), (Strings{"a.pdf", "a.png", "a.svg"}));
 }
 
-// Robot 3 of the office, on its way through a door.
+// Robot 3 of the office goes through a door.
 TEST(Explain, lists_half_planes_of_walls_and_what_the_certificate_keeps) {
   for (const char* method : {"method=avo", "method=avo_paper", "method=orca"}) {
     const bool is_avo = std::string(method) == "method=avo";

@@ -275,8 +275,8 @@ TEST(Lab, in_a_build_without_it_says_how_to_get_it) {
   EXPECT_FALSE(exists("circle-3.html"));
 }
 
-/// At a terminal, with a program xdg-open that notes what it was given; it is not waited for longer
-/// than a second where nobody is to start it.
+/// Runs at a terminal, with a program xdg-open that notes its argument. If xdg-open is not to
+/// start, the function waits at most a second for the note.
 std::string opened(const std::string& words, bool is_to_start) {
   const std::string note = path_of("note");
   write_file(path_of("xdg-open"), "#!/bin/sh\nprintf %s \"$1\" > '" + note + ".part'\nmv '" + note +

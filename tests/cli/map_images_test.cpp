@@ -108,7 +108,8 @@ TEST(MapImages, bmp_of_every_kind) {
     EXPECT_EQ(corners_of(bytes_of(all[k])), kUpperLeft) << k;
 }
 
-// Of mode raw values are hundredths; what is above 100 is unknown, and negate says nothing.
+// In the mode raw, the values are hundredths. A value above 100 is unknown, and negate says
+// nothing.
 TEST(MapImages, raw_values_are_hundredths) {
   EXPECT_EQ(corners_of("P2 3 2 255 19 20 100 101 255 60\n", "mode: raw\n"), kUpperLeft);
 }

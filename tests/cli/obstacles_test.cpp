@@ -23,7 +23,7 @@ using Points = std::vector<Vec2>;
 const std::string kHead =
     "version: 1\nrobots: [{position: [100, 100], goal: [101, 100]}]\nobstacles:\n";
 
-/// Of a scene file in the test's folder.
+/// Returns the scenario of a scene file in the test's folder.
 Scenario with_obstacles(const std::string& obstacles) {
   return avo_io::parse_scenario(kHead + obstacles, path_of("scene.yaml"));
 }

@@ -105,7 +105,8 @@ TEST(ForeignMotion, is_refused_where_it_is_not_of_the_scene) {
             std::string::npos);
 }
 
-// Two people, of whom one comes later and one goes earlier, with numbers of their own.
+// There are two people with numbers of their own. One person comes later, and one person goes
+// earlier.
 std::string people(const std::string& name) {
   const std::string csv = path_of(name);
   write_file(csv,

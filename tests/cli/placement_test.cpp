@@ -245,7 +245,7 @@ TEST(Placement, random_goals_that_no_way_leads_to_are_drawn_again_and_no_others)
   const std::vector<avo::Wall> walls = walls_of(scene.obstacles);
   avo::Reachability with_clearance(walls, 0.7), reachability(walls, 0.3);
   avo_io::Random random(3, 0);
-  std::vector<Vec2> drawn;  // as if nobody asked for ways
+  std::vector<Vec2> drawn;  // as if no test asked for routes
   while (drawn.size() < 16) {
     const double x = random.between(-9, 9);
     const Vec2 place{x, random.between(-4, 4)};

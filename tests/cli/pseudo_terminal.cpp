@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program that believes to be at a terminal, and somebody who types and reads there.
+// A program believes that it is at a terminal, and a user types and reads there.
 #include "pseudo_terminal.h"
 
 #include <cerrno>

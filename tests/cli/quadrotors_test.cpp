@@ -77,7 +77,7 @@ TEST(QuadrotorScenes, are_judged_with_the_deviation_and_the_judge_says_so) {
   EXPECT_THAT(check.out, HasSubstr("of quadrotors; radii contain deviations of up to 0.0638 m"));
   const Json json = Json::parse(run_avo({"check", csv, "--scene", scene, "--json"}).out);
   EXPECT_NEAR(json["deviation"].get<double>(), 0.0638, 1e-4);
-  // two references whose vehicles may touch
+  // the vehicles of these two references may touch
   write_file(scene,
              "version: 1\nspace: 3\nrobots:\n"
              "  - {position: [0, 0, 5], goal: [0, 0, 5], radius: 0.5, quadrotor: {mass: 1, "

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A pipe that nobody reads.
+/// Redirects `target` to a pipe that has no reader.
 void redirect_to_closed_pipe(int target) {
   int ends[2] = {-1, -1};
   if (pipe(ends) != 0 || dup2(ends[1], target) < 0) _exit(99);

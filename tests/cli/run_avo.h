@@ -18,7 +18,7 @@ struct ProcessResult {
 
 struct ProcessOptions {
   std::string binary = {};    ///< in place of avo as it was built
-  std::string out_path = {};  ///< standard output goes there instead; "|" is a pipe nobody reads
+  std::string out_path = {};  ///< standard output goes there instead; "|" is a pipe without reader
   std::string err_path = {};  ///< the same for the standard error output
   std::function<void()> before = {};            ///< called in the process before avo starts
   std::function<void(int pid)> meanwhile = {};  ///< called while it runs
@@ -44,7 +44,7 @@ bool wait_until_caught(int pid, int signal);
 bool wait_until_worked(int pid, double seconds);
 /// Until the file is larger.
 bool wait_until_larger(int pid, const std::string& path, std::uintmax_t bytes);
-/// Until some file in folder() whose name has `part` in it is larger.
+/// Waits until some file in folder() with `part` in its name is larger.
 bool wait_until_any_larger(int pid, const std::string& part, std::uintmax_t bytes);
 
 /// An empty folder for the present test, the same at every call within it.

@@ -79,9 +79,10 @@ TEST(Signals, hangup_is_ignored_where_it_was_from_the_start) {
   expect_whole(result);
 }
 
-/// A run that cannot go on where it writes to the file called `pipe`, which nobody reads. The
-/// recording is the pipe, and full, or has some rows. Where the machine stalls for the second that
-/// the run has, so that it does not come to the pipe, it is run again.
+/// The run cannot go on where it writes to the file called `pipe`, because the file has no reader.
+/// The recording is the pipe, and the recording is full or has some rows. The machine may stall for
+/// the second that the run has, so that the run does not come to the pipe. Then the function starts
+/// the run again.
 ProcessResult blocked(const std::string& pipe, const std::function<void(int pid)>& meanwhile) {
   ProcessResult result;
   for (int in_pipe = 0; in_pipe == 0;) {

@@ -28,7 +28,7 @@ groups:
   - {count: 8, sphere: {radius: 6}, goal: antipodal, jitter: 0.1}
 )";
 
-// A robot in the way of a ball.
+// A robot stands on the course of a ball.
 const std::string kInTheWay = R"(version: 1
 space: 3
 duration: 3

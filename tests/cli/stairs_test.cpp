@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stairs of cells in maps: what becomes straight, how far, and who is judged by which walls.
+// The maps have stairs of cells. The tests check which stairs become straight, how far, and which
+// walls a judge uses for which robots.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -62,7 +63,8 @@ TEST(Stairs, become_one_wall_where_robots_are_large) {
   EXPECT_EQ(slope.measured.at(0).points.size(), 12U) << "as the map has them";
 }
 
-// Of one and two cells in turn: the last cell of a step of two goes with the step of one behind it.
+// Steps of one cell and of two cells alternate. The last cell of a step of two goes with the step
+// of one cell behind it.
 TEST(Stairs, longer_steps_go_on_with_shorter_ones) {
   const avo::StaticObstacle slope =
       map_of({"........", "@@......", "@@@.....", "@@@@@...", "@@@@@@.."}, 100);

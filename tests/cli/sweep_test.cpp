@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 
-/// Long enough to be ended on its way.
+/// The sweep lasts long enough to be ended while it runs.
 const std::string kLongSweep =
     "version: 1\nscenes: [circle-40, circle-20]\nseeds: {count: 40}\nparameters: {duration: "
     "[90]}\n";
@@ -80,7 +80,7 @@ TEST(Sweep, has_the_numbers_of_avo_run) {
   EXPECT_EQ(column(table, "arrival_100")[kRun], column(table, "last_arrival")[kRun]);
 }
 
-// Robot 0 avoids nobody, and runs into robot 1, which rests.
+// Robot 0 avoids no robot, and it runs into robot 1, which rests.
 TEST(Sweep, tells_one_sided_collisions_at_rest_from_those_in_motion) {
   write_file(path_of("ram.yaml"),
              "version: 1\nduration: 10\nmethod: avo_paper\nsensing_radius: 0.001\n"

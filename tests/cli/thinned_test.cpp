@@ -75,7 +75,7 @@ TEST(Thinned, is_never_called_safe) {
   Strings limits{"check", few};
   limits.insert(limits.end(), kLimits.begin(), kLimits.end());
   expect_incomplete(limits, why);
-  // thinned by others, who do not say so: the scene knows its time_step
+  // other programs thin the recording and do not say so, but the scene knows its time_step
   for (const int every : {2, 10}) {
     const std::string other = recording(thinned(all.csv, every, 10), "other.csv");
     expect_incomplete({"check", other, "--scene", "circle-10"}, "");
@@ -113,7 +113,7 @@ TEST(Thinned, is_unsafe_where_its_rows_are) {
 const std::string kThinned = "time,robot,x,y,vx,vy,every\n";
 
 TEST(Thinned, rows_are_judged_and_the_way_between_is_not) {
-  // they would meet half way, on the cubic
+  // on the cubic, the robots would meet halfway
   const std::string through = "0,0,-3,0,2,0,5\n0,1,3,0,-2,0,5\n3,0,3,0,2,0,5\n3,1,-3,0,-2,0,5\n";
   const Json unknown = Json::parse(
       check(kThinned + through, {"--radius=0.5", "--max-speed=2", "--max-acceleration=1", "--json"})

@@ -9,7 +9,7 @@
 namespace avo_test {
 namespace {
 
-/// The rows of whom and when `keep` says.
+/// Returns the rows of the robots and times that `keep` selects.
 template <class Keep>
 std::string rows_of(const Recorded& run, const Keep& keep) {
   const Strings lines = lines_of(read_file(run.csv));
@@ -55,7 +55,7 @@ void expect_safe(const std::string& text, const Strings& scene) {
   EXPECT_EQ(verdict.json["lacking"], Json::array());
 }
 
-/// Of a part of the scene the verdict is on that part.
+/// Where the recording covers a part of the scene, the verdict is on that part.
 void expect_part(const std::string& text, const Strings& scene, const std::string& part) {
   const Verdict verdict = judged(text, scene);
   EXPECT_EQ(verdict.exit_code, 0) << part;
@@ -91,7 +91,7 @@ TEST(Whole, a_recording_goes_from_the_start_to_the_end_of_the_scene) {
   };
   expect_part(between(0.0, 5.95), kScene, "0 to 5.9" + end);
   expect_part(between(0.05, 9.0), kScene, "0.1 to 6" + end);
-  // the whole of a shorter scene, and of one whose last step is shorter than others
+  // the rows are the whole of a shorter scene, and of a scene with a shorter last step
   expect_safe(between(0.0, 5.0), {"--scene", "circle-4", "--set", "duration=5"});
   expect_safe(between(0.0, 5.0), {"--scene", "circle-4", "--set", "duration=5.09"});
   // a rule that is broken is broken
@@ -100,7 +100,7 @@ TEST(Whole, a_recording_goes_from_the_start_to_the_end_of_the_scene) {
   EXPECT_EQ(check(between(0.0, 5.0), {"--scene", "circle-4", "--set", "groups.0.max_speed=0.1"})
                 .exit_code,
             1);
-  // without a scene nobody knows
+  // without a scene, nothing tells whether the recording is whole
   EXPECT_EQ(check(between(1.0, 2.0)).exit_code, 0);
 }
 

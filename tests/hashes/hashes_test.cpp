@@ -17,8 +17,8 @@ TEST_P(Pinned, run_has_its_bits) {
   EXPECT_EQ(hash, GetParam().hash) << std::hex << "0x" << hash;
 }
 
-// Whoever decides has seen others decide in the same memory: by another number of threads it is
-// others, and in a simulation made of saved bytes nobody.
+// Other robots decide before robot A in the same memory. With another number of threads, these are
+// other robots. In a simulation made of saved bytes, no robot decides before A.
 TEST_P(Pinned, threads_and_saved_states_change_no_bit) {
   constexpr int kSteps = 40;
   const avo::Scenario scenario = avo_io::load_scenario(GetParam().scene, GetParam().overrides);

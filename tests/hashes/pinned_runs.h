@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs whose state hashes are pinned: a change of any bit of motion shows here.
+// The state hashes of these runs are pinned. A change of any bit of motion shows here.
 #pragma once
 #include <cstdint>
 #include <ostream>
@@ -24,7 +24,7 @@ inline std::ostream& operator<<(std::ostream& out, const PinnedRun& run) {
 
 const std::vector<PinnedRun>& pinned_runs();
 
-/// The number of steps of `run`, whose scene is `scenario`.
+/// Returns the number of steps of `run`, which has the scene `scenario`.
 std::int64_t steps_of(const PinnedRun& run, const avo::Scenario& scenario);
 
 /// The hash that `run` has now. threads as Simulation takes them.

@@ -133,7 +133,7 @@ TEST(Age, is_not_asked_of_one_whose_position_alone_is_less_sure) {
     EXPECT_NEAR(less_sure[k].offset, farther_off[k].offset, 1e-12) << k;
 }
 
-// As a car with the exact set, whose velocity changes by more than its a_max.
+// The neighbor is like a car with the exact set: its velocity changes by more than its a_max.
 TEST(Age, counts_the_acceleration_that_it_may_have_had) {
   StepLaw law;
   law.time_step = 0.1;

@@ -56,7 +56,7 @@ inline Fleet random_fleet(Random& random, Certificate kind, Motion motion) {
       last.velocity = speed < 0.02 ? Vec2{} : in_disc(random, speed);
       speed *= 0.7;
     } while (last.velocity != Vec2{} && !invariant_holds(fleet.robots, law));
-    // even at rest it may be in the way of another
+    // even at rest the robot may block another robot
     if (!invariant_holds(fleet.robots, law)) fleet.robots.pop_back();
   }
   return fleet;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots among movers that decide nothing. Robots never touch each other. Movers that keep their
-// acceleration they touch only at rest, and who is touched stays at rest; movers that change it
-// they touch in motion, no deeper than the change and the time until rest allow.
+// Robots are among moving obstacles that decide nothing. Robots never touch each other. Only at
+// rest does a robot touch a moving obstacle that keeps its acceleration. A touched robot stays at
+// rest. In motion a robot may touch a moving obstacle that changes its acceleration. This contact
+// is no deeper than the change and the time until rest allow.
 #include <gtest/gtest.h>
 #include <string>
 #include <tuple>
@@ -21,7 +22,8 @@ std::string name_of(const testing::TestParamInfo<AmongMovers::ParamType>& info) 
   return std::string(to_string(kind)) + (motion == Motion::held ? "_held" : "_exponential");
 }
 
-// 1 to 3 robots at rest and 1 to 3 movers, half of which accelerate, on their way towards them.
+// There are 1 to 3 robots at rest and 1 to 3 moving obstacles that head towards the robots. Half of
+// the moving obstacles accelerate.
 Fleet fleet_among_movers(Random& random, Certificate kind, Motion motion) {
   Fleet fleet;
   fleet.options = random_options(random, kind, motion);

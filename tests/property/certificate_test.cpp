@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certificate's promise by itself: whoever chooses anything that is admitted, never touches
-// another.
+// The tests check the certificate's promise by itself: a robot that chooses anything admitted never
+// touches another robot.
 #include <gtest/gtest.h>
 #include <string>
 #include <tuple>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots among movers that do as they like within a declared acceleration and speed: they chase,
-// cross and reverse at their bounds, after they have seen what the robots decided. Robots do the
-// worst that is admitted. Whoever is touched is at rest.
+// Robots are among moving obstacles that do as they like within a declared acceleration and speed.
+// The moving obstacles chase, cross and reverse at their bounds, after they have seen what the
+// robots decided. Robots do the worst that is admitted. A touched robot is at rest.
 #include <gtest/gtest.h>
 #include <string>
 #include <tuple>

@@ -18,7 +18,7 @@ using test::Situation;
 constexpr int kBatches = 600;
 constexpr std::size_t kSize = 256;
 
-// Of r, near contact.
+// This is a part of r, near contact.
 constexpr double kOverlap = 1e-7;
 constexpr double kRounding = 0x1p-53;
 // |sin| up to which p and v are parallel: kTie, and its rounding.
@@ -112,8 +112,8 @@ TEST(HalfPlanes, P3_tiny_steps_towards_a_crossing_end_no_search) {
   }
 }
 
-// The line of the first time, among many, at whose end the pair can be apart; the demand of a
-// window falls as that grows. Without any, that of the last one.
+// The line belongs to the first of many times at which the pair can be apart. The demand of a
+// window falls as the window grows. Where there is no such time, the line belongs to the last time.
 TEST(HalfPlanes, overlapping_pairs_part_within_the_shortest_window) {
   Batch batch;
   constexpr int kTimes = 1000;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which constants robots have to share: fleets whose robots plan with any δ, τ and max_neighbors,
-// judged by Check, and fleets that differ in what they do have to share: there, only pairs with an
-// odd robot touch.
+// The tests check which constants robots have to share. In some fleets the robots plan with any δ,
+// τ and max_neighbors, and Check judges the runs. In other fleets the robots differ in constants
+// that they do have to share. There, only pairs with an odd robot touch.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -150,7 +150,7 @@ int overlapping_crushes(const Rules& rules, Judged judged, int count) {
   return overlapping;
 }
 
-// The promise is one of pairs: who keeps the assumptions does not touch others who do.
+// The promise is one of pairs: where robots A and B keep the assumptions, A and B do not touch.
 void expect_only_odd_ones_to_touch(const Manner& odd, int crushes = 5) {
   Rules rules;
   rules.odd = [odd](Random&) { return odd; };

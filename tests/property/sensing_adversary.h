@@ -136,8 +136,8 @@ inline Vec2 farthest_admitted(const Robot& robot, Vec2 wanted, const Certificate
   return backup + good * (wanted - backup);
 }
 
-/// Of what `self` is allowed under some errors within the bound: what leaves the least clearance.
-/// One time in `calm` (> 0) it takes anything admitted.
+/// Returns what leaves the least clearance, of what `self` is allowed under some errors within the
+/// bound. One time in `calm` (> 0) the robot takes anything admitted.
 inline Vec2 worst_choice(const std::vector<Body>& bodies, std::size_t self, const Senses& senses,
                          int calm, Random& random, CertificateConstraints& constraints) {
   const Robot& robot = bodies[self].robot;

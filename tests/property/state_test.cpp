@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/states.md by brute force: nothing escapes from doomed, few others cannot escape, and whoever
-// is safe brakes without contact.
+// The tests check docs/states.md by brute force. No robot escapes from doomed, and few other robots
+// cannot escape. A robot that is safe brakes without contact.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ double least_gap(const Meeting& meeting, double time, const Control& own, const 
   return least;
 }
 
-// Whether some of many ways to behave avoid contact until the time.
+// Returns whether some of many controls avoid contact until the time.
 bool can_escape(const Meeting& meeting, double time, int ways, Random& random) {
   const Neighbor& other = meeting.neighbor;
   const bool decides = other.behavior == Behavior::decides;
@@ -155,7 +155,7 @@ TEST(State, nothing_escapes_from_a_wall_that_dooms) {
   nothing_escapes(true);
 }
 
-// Of the states from which no way is found, most are proved.
+// Most of the states for which the search finds no escape are proved.
 void most_are_proved(bool at_wall, double share) {
   Random random(at_wall ? 73 : 72);
   int lost = 0, proved = 0;

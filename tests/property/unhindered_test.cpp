@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whom nobody hinders arrives in bounded time, beside any number of parked robots
-// (docs/arrival.md, "What is proved"): a search for scenes in which this is wrong.
+// A robot that no other robot hinders arrives in bounded time, beside any number of parked robots
+// (docs/arrival.md, "What is proved"). The tests search for scenes in which this is wrong.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -31,7 +31,8 @@ double response_time(const RobotSetup& robot, double time_step) {
   return std::max(0.1 * robot.max_speed / robot.max_acceleration, 2.0 * time_step);
 }
 
-// [M] m, that the straight way of a robot keeps from a parked one's disc, beyond its own radius.
+// The straight line of a robot keeps [M] m from a parked robot's disc, beyond the robot's own
+// radius.
 double margin(const RobotSetup& robot, double parked_radius, double time_step) {
   const double b = braking_of(robot, time_step), s = robot.preferred_speed;
   const double stopping = s * s / (2.0 * b), contact = robot.radius + parked_radius;
@@ -62,7 +63,7 @@ RobotSetup on_its_way(Random& random, Vec2 around, double time_step) {
       random.below(4) == 0 ? random.log_uniform(1e-6, 1.0) : random.uniform(0.5, 40.0);
   robot.goal = robot.position + way * random.direction();
   robot.radius = random.uniform(0.2, 1.0);
-  // a step may bend the way of a robot by its radius
+  // a step may bend the course of a robot by its radius
   const double strongest = std::min(3.0, 3.9 * robot.radius / (time_step * time_step));
   robot.max_acceleration = random.uniform(0.1 * strongest, strongest);
   if (random.below(2) == 0)
@@ -72,7 +73,8 @@ RobotSetup on_its_way(Random& random, Vec2 around, double time_step) {
   return robot;
 }
 
-// As near to the straight way as `part` of the margin allows: beside it, or before or behind it.
+// The parked robot is as near to the straight line as `part` of the margin allows. The parked robot
+// is beside the line, or before or behind it.
 RobotSetup parked_beside(const RobotSetup& robot, Random& random, double time_step, double part) {
   RobotSetup parked;
   parked.behavior = Behavior::parked;
@@ -140,7 +142,8 @@ TEST(Unhindered, robots_beside_any_number_of_parked_ones_move_as_if_alone_and_re
   }
 }
 
-// A way through the middle between the two is as long as the straight one, but for rounding.
+// A course through the middle between two parked robots is as long as the straight line, but for
+// rounding.
 TEST(Unhindered, between_two_as_far_aside_a_robot_heads_for_its_very_goal) {
   int hindered = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -172,7 +175,7 @@ TEST(Unhindered, between_two_as_far_aside_a_robot_heads_for_its_very_goal) {
   EXPECT_EQ(hindered, 0);
 }
 
-// The search has teeth: with less room it finds robots that are turned off their ways.
+// The search has teeth: with less room it finds robots that are turned off their straight lines.
 TEST(Unhindered, with_a_fifth_of_the_margin_many_are_not) {
   int hindered = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) hindered += search(seed, 0.2).hindered;

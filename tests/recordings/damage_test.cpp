@@ -147,8 +147,8 @@ TEST(Damage, a_file_that_promises_more_than_it_can_hold_takes_little_memory) {
   for (const std::string& path : {spool, h5}) EXPECT_EQ(rows_in(path), "");
 }
 
-// Anything may come out of a file whose bytes were changed, but no crash and, of what is compressed
-// or has a checksum, no other rows.
+// A file with changed bytes may yield anything but a crash. Data that are compressed or have a
+// checksum yield no other rows.
 TEST(Damage, changed_bytes_crash_no_reader) {
   std::mt19937_64 random(5);
   for (const Sample& of : kSamples) {

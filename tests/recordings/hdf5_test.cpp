@@ -34,8 +34,7 @@ void expect_same_verdict(const Strings& scene, int exit_code = 0) {
   EXPECT_EQ(own.exit_code, exit_code) << own.err;
   Json expected = Json::parse(text.out), found = Json::parse(own.out);
   EXPECT_EQ(found["recording"], h5);
-  for (const char* key :
-       {"recording", "steps", "to"}) {  // CSV has no times at which nobody is there
+  for (const char* key : {"recording", "steps", "to"}) {  // CSV has no times without robots
     found.erase(key);
     expected.erase(key);
   }
@@ -79,8 +78,8 @@ TEST(Hdf5Recording, keeps_maps_and_the_scene_where_their_files_are_gone) {
   EXPECT_EQ(run_avo({"replay", h5}).exit_code, 0);
 }
 
-/// A scene of one robot and a plan of many posts, whose text is longer than an attribute in the
-/// header of a file can be.
+/// The scene has one robot and a plan of many posts. The text of the plan is longer than an
+/// attribute in the header of a file can be.
 std::string scene_with_long_plan() {
   std::string plan = "MULTIPOLYGON (";
   for (int k = 0; k < 4000; ++k)

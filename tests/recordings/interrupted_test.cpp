@@ -55,7 +55,7 @@ TEST(Interrupted, a_report_ends_at_once) {
 }
 
 TEST(Interrupted, a_conversion_ends_at_once) {
-  const std::string pipe = path_of("run.h5");  // whose rows never come to their end
+  const std::string pipe = path_of("run.h5");  // the rows of the pipe never end
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const int writer = open(pipe.c_str(), O_RDWR | O_CLOEXEC);
   ASSERT_GE(writer, 0);

@@ -17,7 +17,7 @@ inline std::string recorded(const Strings& words, const std::string& name = "run
   return h5;
 }
 
-/// Of six robots on a circle, for 9 s.
+/// The recording is of six robots on a circle, for 9 s.
 inline std::string recorded_circle(const Strings& more = {}, const std::string& name = "run.h5") {
   Strings words{"circle-6", "--duration", "9"};
   words.insert(words.end(), more.begin(), more.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings of earlier builds, whose scenes have keys and values that were removed since.
+// Recordings of earlier builds have scenes with keys and values that were removed since.
 #include <gtest/gtest.h>
 #include <string>
 #include <utility>

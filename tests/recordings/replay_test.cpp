@@ -49,7 +49,7 @@ TEST(Replay, shows_what_metrics_of_the_run_have_seen) {
     const Json again = Json::parse(avo_io::to_json(metrics.summary()))["metrics"];
     EXPECT_GT(told["acceleration_rms"], 0.0) << scene;
     EXPECT_FALSE(told["turned_back"].is_null()) << scene;
-    told["step_ms_p50"] = told["step_ms_p99"] = Json();  // nobody has told it
+    told["step_ms_p50"] = told["step_ms_p99"] = Json();  // the replay has no step times
     EXPECT_EQ(again, told) << scene;
   }
 }

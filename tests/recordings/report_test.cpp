@@ -143,7 +143,7 @@ TEST(Report, has_the_command_of_a_run_until_all_have_arrived) {
   const std::string page = page_of({"circle-4", "--until-arrived", "--every", "3"});
   EXPECT_NE(page.find("avo run circle-4 --every 3 --until-arrived --record"), std::string::npos);
   expect_exact(path_of("run.h5"), page);
-  // who has not arrived by the end of the scene
+  // some robots have not arrived by the end of the scene
   const std::string late = page_of({"circle-4", "--until-arrived", "--duration", "2"});
   EXPECT_NE(late.find("avo run circle-4 --set duration=2 --until-arrived --record"),
             std::string::npos);

@@ -235,7 +235,7 @@ TEST(SpaceHdf5, frames_are_on_the_path_between_the_rows) {
   for (int k = 0; k < 5; ++k) simulation.step();
   const auto frame = reader.at(1.25);
   ASSERT_TRUE(frame);
-  for (std::size_t k = 0; k < 9; ++k) {  // half of the way of a cubic
+  for (std::size_t k = 0; k < 9; ++k) {  // the frame shows the middle of a cubic
     const avo::space::Robot &a = from[k], &b = simulation.robots()[k];
     const avo::Vec3 middle =
         0.5 * (a.position + b.position) + (0.5 / 8.0) * (a.velocity - b.velocity);

@@ -56,7 +56,7 @@ TEST(SweepTables, as_hdf5_that_promise_more_than_their_bytes_are_refused) {
   std::string h5 = swept(kSmallSweep, "runs.h5");
   const Hdf5Handle chunked = layout();
   ASSERT_GE(H5Pset_chunk(chunked.id(), 1, &chunk), 0);
-  put_column(h5, "sweep", many, texts_of(4000), chunked);  // 4 GB that nobody has written
+  put_column(h5, "sweep", many, texts_of(4000), chunked);  // these 4 GB are never written
   expect_no_table(h5, kRefused);
   h5 = swept(kSmallSweep, "runs.h5");
   put_column(h5, "sweep", many, texts_of(4000), layout());

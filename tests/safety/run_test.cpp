@@ -119,7 +119,7 @@ TEST(RunScene, nobody_arrives_behind_a_wall) {
   scene.scenario.robots[0].goal = {0.0, 3.2};
   scene.scenario.robots[1].goal = {4.0, 3.2};
   scene.scenario.arrival_distance = 0.9;
-  scene.scenario.duration = 10.0;  // before it has found a way round
+  scene.scenario.duration = 10.0;  // the run ends before the robot finds a route
   const Outcome outcome = run_scene(scene, 1, "");
   EXPECT_TRUE(outcome.verdict.safe());
   EXPECT_EQ(outcome.arrival[0], kNever);
@@ -222,8 +222,9 @@ TEST(Judge, finds_hits_that_were_evadable) {
   EXPECT_EQ(run_scene(late, 1, "").verdict.evadable_hits, 0) << "nobody asks";
 }
 
-// Strong robots whose braking is short, at goals that six to ten movers pass over; some of them
-// have nowhere to rest for ever, and some decide in so small steps that ways take long to search.
+// Strong robots have short braking, at goals that six to ten moving obstacles pass over. Some
+// robots have nowhere to rest for ever. Some robots decide in so small steps that courses take long
+// to search.
 TEST(Alone, nobody_is_hit_who_could_have_kept_clear) {
   for (const std::uint64_t seed : {45, 267, 268, 429}) {
     const Outcome outcome = run_scene(alone_at_goal(seed), seed, "");

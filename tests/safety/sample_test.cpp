@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sample of every family, with every certificate: nobody touches, limits are kept, robots arrive
-// within the targets. scripts/soak safety runs all of it.
+// The tests run a sample of every family with every certificate. No robot touches another robot,
+// limits are kept, and robots arrive within the targets. scripts/soak safety runs all of every
+// family.
 #include <algorithm>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -26,8 +27,7 @@ const Family& family_of(const std::vector<Family>& all, const std::string& name)
 struct Sample {
   const char* family;
   int scenes;
-  double
-      arrive;  // share of all robots of the sample, within the families' limits; 0: nobody has to
+  double arrive;  // share of all robots of the sample, within the families' limits; 0: none has to
 };
 
 void PrintTo(const Sample& sample, std::ostream* out) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scenes are what they say: who stands where, how long the straight way takes, how dense it is.
+// The scenes are what they say: where each robot stands, how long the straight course takes, and
+// how dense the scene is.
 #include "scenes.h"
 
 #include <algorithm>
@@ -316,7 +317,7 @@ TEST(Placement, permutations_leave_nobody_in_place) {
 TEST(StraightTime, is_that_of_the_slowest_from_rest_to_rest) {
   Scenario scenario;
   scenario.robots.push_back(usual_robot({}, {30.0, 0.0}, 1.5));
-  EXPECT_DOUBLE_EQ(straight_time(scenario), 21.5);  // 20 s on the way, 1.5 s to start and stop
+  EXPECT_DOUBLE_EQ(straight_time(scenario), 21.5);  // 20 s to drive, 1.5 s to start and stop
   scenario.robots[0].goal = {0.0, 0.25};            // too short for 1.5 m/s
   EXPECT_DOUBLE_EQ(straight_time(scenario), 1.0);
 }

@@ -67,7 +67,8 @@ void expect_refusals(const Explanation& why, const Planner& planner, Vec3 asked,
       << why.sentence;
 }
 
-// The half-spaces that bind are those on whose boundaries the target lies, where it keeps to all.
+// Where the target keeps to all half-spaces, a half-space binds exactly if the target lies on its
+// boundary.
 void expect_binding(const Explanation& why) {
   const DecisionTrace& decision = why.decision;
   if (decision.plan.violation > 0.0) return;

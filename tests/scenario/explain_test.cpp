@@ -101,7 +101,7 @@ void expect_refusals(const Explanation& why, const avo::Planner& planner, Vec2 a
   EXPECT_EQ(with, 0) << why.sentence;
 }
 
-// The half-planes of neighbors that bind are those on whose lines the target lies.
+// A half-plane of a neighbor binds exactly if the target lies on the line of the half-plane.
 void expect_binding(const Explanation& why, const avo::Planner& planner) {
   const auto& seen = why.seen;
   avo::PlanWorkspace workspace;

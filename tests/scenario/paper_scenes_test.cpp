@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's scenes with its constants (§VI): who arrives, who meets, and that limits are kept.
+// These are the paper's scenes with its constants (§VI). The tests check which robots arrive and
+// which robots meet, and that limits are kept.
 #include <algorithm>
 #include <cstdio>
 #include <gtest/gtest.h>

@@ -19,7 +19,7 @@ struct AxleState {
   double speed = 0.0, turning = 0.0;  // m/s, rad/s
 };
 
-/// Returns the state of an axle whose point ahead moves by `velocity`.
+/// Returns the state of an axle with a point ahead that moves by `velocity`.
 inline AxleState axle_of(const DifferentialDrive& drive, Vec2 center, Vec2 velocity,
                          double heading) {
   const double c = std::cos(heading), s = std::sin(heading);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cars that are seen in the midst of a step: how far off the rest of it may lead what others
-// expect, who know of a_max and of the velocity of the axle alone.
+// Other robots see these cars in the midst of a step. The tests check how far the rest of the step
+// may lead off what the other robots expect. The other robots know a_max and the velocity of the
+// axle alone.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -80,8 +81,8 @@ struct Excess {
   double beyond_all, beyond_drift;  // m
 };
 
-// The most that the way of the disc exceeds the bounds by, seen at so much of the step by one who
-// decides every `own_step` s.
+// Returns the most by which the path of the disc exceeds the bounds. A robot sees the disc at
+// `seen_at` within the step and decides every `own_step` s.
 Excess excess_of(const Step& step, double seen_at, double own_step, double max_acceleration,
                  double longest) {
   PlannerOptions options;

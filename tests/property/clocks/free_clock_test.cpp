@@ -43,7 +43,7 @@ void carry_on(Clocked& each, double time) {
   if (ends && norm(each.robot.velocity) < 1e-14 * norm(each.velocity)) each.robot.velocity = {};
 }
 
-// Of close robots at rest: two to six, with steps from 0.02 to 0.4 s.
+// The fleet has two to six close robots at rest, with steps from 0.02 to 0.4 s.
 std::vector<Clocked> clocked_fleet(Random& random, const Belief& belief) {
   std::vector<Clocked> fleet;
   std::vector<Robot> robots;

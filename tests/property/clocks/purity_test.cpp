@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// plan() is pure: a workspace in which others have been planned for decides as a fresh one does,
-// bit for bit, over all models, certificates, methods, walls and movers. Where the scratch memory
-// of the one before is overwritten by what is no number, whoever still reads it shows.
+// plan() is pure: a workspace in which other robots have been planned for decides as a fresh
+// workspace does. The decisions agree bit for bit, over all models, certificates, methods, walls
+// and moving obstacles. The test overwrites the scratch memory of the robot before by what is no
+// number. A robot that still reads this memory shows.
 #include <bit>
 #include <cmath>
 #include <cstdint>

@@ -28,7 +28,7 @@ struct Condition {
   SensingModel sensing = {};
 };
 
-// Of an acceleration that it can surely do.
+// The robot gets wheels that can surely do its acceleration.
 void give_wheels(Random& random, RobotSetup& robot) {
   const double most = std::max(robot.max_acceleration, *robot.max_braking);
   switch (random.below(4)) {
@@ -148,7 +148,8 @@ INSTANTIATE_TEST_SUITE_P(
                         .name = "free_clocks_noise", .clock = Clock::free, .sensing = noisy()}),
     [](const auto& condition) { return condition.param.name; });
 
-// One robot on its way past a person who stands beside it, and might walk into it.
+// One robot passes a person. The person stands beside the robot's course, and might walk into the
+// robot.
 Scenario past_a_person(std::optional<double> max_braking) {
   Scenario scene;
   scene.sensing_radius = 20.0;
@@ -169,7 +170,7 @@ double arrival(const Scenario& scene) {
   return simulation.time();
 }
 
-// Who rests sooner may be faster beside whoever may come nearer.
+// A robot that rests sooner may be faster beside a body that may come nearer.
 TEST(StrongBrakes, bring_a_robot_past_people_sooner) {
   EXPECT_LT(arrival(past_a_person(3.0)), arrival(past_a_person(std::nullopt)) - 2.0);
 }
@@ -187,7 +188,7 @@ TEST(StrongBrakes, are_reckoned_with_by_those_whom_a_robot_does_not_avoid) {
   EXPECT_EQ(deviation(), robot.max_acceleration);
 }
 
-// Wheels have to be able to brake q that hard, whichever way it moves.
+// Wheels have to be able to brake q that hard, in whichever direction q moves.
 TEST(StrongBrakes, a_drive_chooses_no_velocity_from_which_it_could_not_brake) {
   Random random(3);
   int refused = 0;

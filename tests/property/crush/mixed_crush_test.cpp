@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A crush of all kinds: unequal robots, cars among them, with priorities that give shares of 1/64
-// to 63/64, limits of braking of 0.5 to 3 of their a_max, one-sided layers, and people who do as
-// they like, all sent to one point after the other. Judged by Check.
+// The crush has robots of all kinds. The robots are unequal, cars are among them, and priorities
+// give shares of 1/64 to 63/64. The limits of braking are 0.5 to 3 of the robots' a_max. There are
+// one-sided layers, and people do as they like. All of them are sent to one point after the other.
+// Check judges the runs.
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
@@ -17,8 +18,9 @@ constexpr int kRobots = 60, kPeople = 5;
 constexpr int kRally = 50;        // steps
 constexpr double kExtent = 14.0;  // m
 
-// One in six a car, a drive, a car with the exact set and a body ahead of its axle or behind it;
-// one in six in a layer that the rest avoids and that avoids nobody of the rest.
+// One robot in six is a car, and one is a drive. One robot in six is a car with the exact set and a
+// body ahead of its axle or behind it. One robot in six is in a layer that the other robots avoid,
+// and it avoids none of the other robots.
 RobotSetup any_robot(Random& random) {
   RobotSetup robot;
   robot.radius = random.uniform(0.2, 0.4);

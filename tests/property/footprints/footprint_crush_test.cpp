@@ -192,7 +192,7 @@ TEST(FootprintCrush, robots_are_sensed_the_same_in_fleets_that_sort_theirs) {
     ASSERT_EQ(unsorted.fleet().position[k], sorted.fleet().position[k]) << k;
 }
 
-// Whoever asks is told of a neighbor what the robot plans with.
+// What perceive() tells of a neighbor is what the robot plans with.
 TEST(FootprintCrush, perceived_footprints_have_the_pose_of_now) {
   for (const double noise : {0.0, 0.02}) {
     Random random(70);

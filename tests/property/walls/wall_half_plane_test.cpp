@@ -130,8 +130,8 @@ TEST(WallHalfPlane, of_a_short_wall_is_that_of_a_disc_to_its_length) {
   EXPECT_GT(constrained, 3'000);
 }
 
-// Head-on to the middle of a short wall, both ways around it are equally far: the one to the left
-// of the wall's normal is taken, whatever rounding does.
+// Head-on to the middle of a short wall, both routes around the wall are equally far. The robot
+// takes the route to the left of the wall's normal, whatever rounding does.
 TEST(WallHalfPlane, ties_go_to_the_left) {
   Random random(5);
   const Horizon horizon(2.0, 6.0, 0.1);
@@ -175,7 +175,7 @@ TEST(OrcaWall, no_velocity_of_the_line_collides_and_none_is_nearer) {
     const auto [n, h] = plane.plane;
     EXPECT_NEAR(norm(n), 1.0, 1e-12);
     const Vec2 b = s.pair.from_a - s.pair.from_b;
-    const auto nearest = [&](Vec2 w) {  // along a straight way, by the ends and the crossing
+    const auto nearest = [&](Vec2 w) {  // along a straight line, by the ends and the crossing
       const Vec2 way = tau * (s.pair.velocity + w), from = s.pair.from_a, to = from + way;
       const double side_0 = cross(b, from), side_1 = cross(b, to);
       const double end_0 = cross(way, -from), end_1 = cross(way, b - from);

@@ -11,7 +11,7 @@ namespace avo::reference {
 struct Lens {
   Vec2 origin;            ///< center of the smaller disc, already multiplied by scale
   double scale = 1.0;     ///< power of two; 1 unless squares of the input over- or underflow
-  double radius = 0.0;    ///< of the smaller disc, whose center is 0 here
+  double radius = 0.0;    ///< of the smaller disc; the center of this disc is 0 here
   bool empty = false;     ///< the discs do not meet
   bool two_arcs = false;  ///< false: the larger disc contains the smaller one and has no effect
   bool speed_is_larger = false;  ///< the disc that `larger_` means
@@ -41,8 +41,9 @@ LensPoint nearest(const Lens& lens, Vec2 p) noexcept;
 /// not be empty.
 Vec2 farthest_along(const Lens& lens, Vec2 direction) noexcept;
 
-/// Returns the smallest normal . u over both discs, m/s. A half-plane whose offset is not above it
-/// holds for all velocities that the robot may choose. It is +infinity if the discs do not meet.
+/// Returns the smallest normal . u over both discs, m/s. A half-plane with an offset that is not
+/// above this value holds for all velocities that the robot may choose. The value is +infinity if
+/// the discs do not meet.
 double lens_support_min(Vec2 normal, const Lens& lens) noexcept;
 double lens_support_min(Vec2 normal, const Disc& acceleration, const Disc& speed) noexcept;
 

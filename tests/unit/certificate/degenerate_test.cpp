@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Degenerate input: numbers stay numbers, braking stays admitted, nobody freezes.
+// With degenerate input, numbers stay numbers, braking stays admitted and no robot freezes.
 #include <cfenv>
 #include <gtest/gtest.h>
 #include <string>

@@ -34,7 +34,7 @@ Predicted random_other(test::Random& random, int kind) {
   return other;
 }
 
-// m, least of many distances to somebody from one time on, less what is to be kept.
+// Returns the least of many distances to a body from one time on, less what is to be kept, in m.
 double sampled_rest(const Predicted& other, Vec2 place, double time) {
   double least = std::numeric_limits<double>::infinity();
   for (double t = time; t < std::min(time + 60.0, other.until); t += 2e-3)

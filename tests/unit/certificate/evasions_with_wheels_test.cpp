@@ -209,7 +209,8 @@ TEST(EvasionsWithWheels, keep_clear_of_what_the_arc_of_a_step_touches) {
     other.contact = sampled_step(c, from, moved(c, from, c.next()), 0.0) + 1e-9;
     begin_evasions(c.at(), c.around);
     ASSERT_FALSE(take_first_step(c.at(), c.around, c.now, c.next())) << trial;
-    // nor is it what may be touched at rest alone, by either disc of one that does as it likes
+    // the step also fails by either disc of a body that does as it likes and may be touched at rest
+    // alone
     other.asks_to_stop = true, other.stop_contact = other.contact;
     for (const double deviation : {0.0, 1e-12}) {
       other.deviation = deviation, other.max_speed = 0.0;

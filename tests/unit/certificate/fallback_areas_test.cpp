@@ -345,7 +345,7 @@ TEST(FallbackAreas, half_planes_of_lines_suffice_up_to_their_speed) {
   EXPECT_GT(inside, 1'000);
 }
 
-// The circle and the way, beside a wall that is straight ahead.
+// The circle and the path keep off a wall that is straight ahead.
 TEST(FallbackAreas, an_airplane_keeps_its_circle_off_walls) {
   law_of_run = {};
   Random random(43);

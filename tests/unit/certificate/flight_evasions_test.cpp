@@ -62,7 +62,7 @@ FlightCase random_case(test::Random& random, int kind) {
   return c;
 }
 
-// m, of a place at a time from what is to be kept from everybody.
+// Returns the room of a place at a time, beyond what is to be kept from every body, in m.
 double room_at(const FlightCase& c, Vec2 place, double time) {
   double least = std::numeric_limits<double>::infinity();
   for (const Predicted& other : c.around.others)
@@ -196,7 +196,7 @@ TEST(FlightEvasions, keep_clear_of_what_the_arc_of_a_step_touches) {
   EXPECT_GT(clear, 100);
 }
 
-// A maneuver that is refused comes too near to somebody, or its circles do.
+// A maneuver that is refused comes too near to a body, or the circles of the maneuver do.
 TEST(FlightEvasions, are_refused_for_a_reason) {
   test::Random random(3);
   int refused = 0;

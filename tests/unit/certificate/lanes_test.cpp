@@ -16,7 +16,8 @@
 namespace avo::test {
 namespace {
 
-// A robot and a few neighbors, some of whom may be movers; now and then with sensing errors.
+// A robot has a few neighbors, and some of the neighbors may be moving obstacles. Now and then the
+// robot has sensing errors.
 struct Crowd {
   CertificateLaw law;
   Robot robot;
@@ -120,7 +121,8 @@ TEST(CertificateLanes, have_the_bits_of_the_scalar_text) {
   use_simd_target(before);
 }
 
-// Whoever else is looked at, and however often the queue of pairs is emptied meanwhile.
+// The near pairs of a robot are the same whichever other robots are looked at. The queue of pairs
+// may be emptied meanwhile, however often.
 TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
   Random random(44);
   std::size_t kept = 0, with_movers = 0;
@@ -164,8 +166,8 @@ TEST(NearPairs, of_many_robots_are_those_of_each_alone) {
   EXPECT_GT(with_movers, 100U);
 }
 
-// A pair waits until a candidate comes that it can refuse: no candidate may be judged otherwise
-// than where nobody waits.
+// A pair waits until a candidate comes that the pair can refuse. No candidate may be judged
+// otherwise than where no pair waits.
 TEST(Waiting, candidates_are_judged_as_if_all_constraints_were_collected) {
   Random random(46);
   std::size_t refused = 0, admitted = 0, waited = 0, told_at_once = 0;
@@ -200,7 +202,7 @@ TEST(Waiting, candidates_are_judged_as_if_all_constraints_were_collected) {
   EXPECT_GT(told_at_once, 150U);
 }
 
-// Of every candidate, at every point of every interval, along any normal.
+// The bound holds for every candidate, at every point of every interval and along any normal.
 TEST(Deviation, bounds_what_a_path_loses_along_any_normal) {
   Random random(42);
   int slow = 0, tight = 0;
@@ -305,7 +307,8 @@ TEST(FarBound, are_far_only_where_no_candidates_can_meet) {
   EXPECT_GT(far, beyond / 2);
 }
 
-// Whoever is told without a division to refuse nothing is told so by the exact bound as well.
+// A pair that refuses nothing by the bound without a division refuses nothing by the exact bound as
+// well.
 TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
   Random random(45);
   int clear = 0, exactly = 0, near = 0;
@@ -331,8 +334,8 @@ TEST(ClearBound, is_clear_only_of_those_that_refuse_nothing) {
   EXPECT_GT(clear, exactly / 4);
 }
 
-// The distance that joint braking leaves is no less than clearance_of() counts on, and often the
-// line of both braking ways tells most of it.
+// The distance that joint braking leaves is no less than clearance_of() counts on. Often the line
+// of both braking paths tells most of this distance.
 TEST(Clearance, is_no_more_than_the_distance_that_joint_braking_leaves) {
   Random random(47);
   int known = 0, by_line = 0;

@@ -62,7 +62,7 @@ inline PairSituation random_pair(Random& random, Certificate kind, Motion motion
   return s;
 }
 
-/// One whose invariant holds.
+/// The invariant of this pair holds.
 inline PairSituation sound_pair(Random& random, Certificate kind, Motion motion,
                                 bool unlike = false) {
   for (;;) {

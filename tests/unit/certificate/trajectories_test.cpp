@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Movers whose future is known (avo/trajectory.h): where they are, and who keeps clear of them for
-// ever.
+// The future of these moving obstacles is known (avo/trajectory.h). The tests check where the
+// moving obstacles are, and which robots keep clear of the moving obstacles for ever.
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -55,7 +55,7 @@ TEST(CheckPassing, only_of_airplanes_and_over_steps) {
   EXPECT_EQ(
       report_of({robot}, {{0.0, {from}}, {0.5, {to}}}, {}, {.arrival_distance = 0.2}).last_arrival,
       0.5);
-  // where it was missing before nobody knows how it came
+  // where the airplane was missing before, its path to the goal is unknown
   const CheckReport gone = report_of(
       {robot, free_robot()},
       {{0.0, {from, {1, {9, 9}, {}}}}, {0.2, {{1, {9, 9}, {}}}}, {0.5, {to, {1, {9, 9}, {}}}}}, {},

@@ -25,7 +25,7 @@ Moment moved(double time, Vec2 start, Vec2 velocity, Vec2 acceleration) {
             velocity + time * acceleration}}};
 }
 
-// Of one that moves at 1.5 m/s in the direction of x.
+// The robot moves at 1.5 m/s in the direction of x.
 std::int64_t broken_by(Vec2 acceleration, const CheckedRobot& robot = strong()) {
   const Vec2 v{1.5, 0.0};
   return report_of({robot}, {moved(0.0, {}, v, acceleration), moved(kStep, {}, v, acceleration)})
@@ -94,7 +94,7 @@ TEST(CheckBrakes, rows_within_the_steps_of_its_own_clock_break_none) {
   EXPECT_GT(report_of({robot}, rows).accelerations.count, 0);
 }
 
-// Over rows that are missing nobody knows the way: only how much can have changed.
+// Over missing rows the path is unknown: the check knows only how much can have changed.
 TEST(CheckBrakes, over_missing_rows_the_length_counts) {
   const auto broken = [](Vec2 acceleration) {
     Check check({strong()});

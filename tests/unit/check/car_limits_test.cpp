@@ -150,7 +150,7 @@ TEST(CheckCars, positions_on_the_arc) {
   const CheckedRobot robot = car_of({});
   const CheckedState start = pose({3, 4}, 0.5, 1.0);
   CheckedState next = driven(start, {0.0, 0.5}, kStep);
-  next.position = next.position + Vec2{0.55e-9, 0};  // 1e-9 of 0.5 m of radius, and of 0.1 m of way
+  next.position = next.position + Vec2{0.55e-9, 0};  // 1e-9 of 0.5 m of radius and 0.1 m of path
   EXPECT_EQ(counts(step_of(robot, start, next)), kNone);
   next.position = next.position + Vec2{0.1e-9, 0};
   EXPECT_EQ(counts(step_of(robot, start, next)), only(jump));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Discs of robots with headings on their true ways, against dense samples of closed forms.
+// The tests check discs of robots with headings on their true paths, against dense samples of
+// closed forms.
 #include <algorithm>
 #include <cmath>
 #include <functional>

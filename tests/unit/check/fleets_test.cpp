@@ -27,7 +27,8 @@ struct Fleet {
   std::vector<Moment> recording;
 };
 
-// Random ways in a box, now and then one is missing, radii of very different size.
+// Robots follow random courses in a box. Now and then a robot is missing, and radii are of very
+// different size.
 Fleet random_fleet(Random& random, std::size_t number, Vec2 box) {
   Fleet fleet;
   for (std::size_t i = 0; i < number; ++i)

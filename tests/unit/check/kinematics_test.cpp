@@ -117,7 +117,7 @@ TEST(CheckDrives, heading_speed_and_place_follow_the_point) {
   EXPECT_EQ(changed([](CheckedState&) {}), kNone);
   EXPECT_EQ(changed([](CheckedState& to) { to.heading->speed += 1.9e-9; }), kNone);
   EXPECT_EQ(changed([](CheckedState& to) { to.heading->speed += 2.1e-9; }), only(heading));
-  // 1e-9 of 0.3 m of radius, 0.085 m of way and 0.2 m of offset
+  // the tolerance is 1e-9 of 0.3 m of radius, 0.085 m of path and 0.2 m of offset
   EXPECT_EQ(changed([](CheckedState& to) { to.position.x += 0.5e-9; }), kNone);
   EXPECT_EQ(changed([](CheckedState& to) { to.position.x += 0.7e-9; }), only(jump));
   const auto turned_on = [](double angle) {

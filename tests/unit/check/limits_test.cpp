@@ -111,7 +111,7 @@ TEST(CheckLimits, positions_that_do_not_follow_the_velocities_are_jumps) {
   EXPECT_FALSE(report.safe());
 }
 
-// Whenever the velocity changes within the step, the way is between those of both velocities.
+// Whenever the velocity changes within the step, the path is between the paths of both velocities.
 TEST(CheckLimits, a_jump_without_a_limit_is_what_velocities_do_not_explain) {
   CheckedRobot robot = free_robot();
   const auto jumps = [&robot](Vec2 way) {
@@ -142,7 +142,8 @@ TEST(CheckLimits, velocities_that_change_at_once_are_no_jumps) {
   EXPECT_TRUE(report_of(kOne, recording).safe());
 }
 
-// Goals that leave no room for all: who rests in the crowd around the place has arrived.
+// The goals leave no room for all robots. A robot that rests in the crowd around the place has
+// arrived.
 TEST(CheckArrivals, are_beside_those_who_stand_on_the_goal) {
   const auto arrived_at = [](const std::vector<double>& places, double speed) {
     std::vector<CheckedRobot> robots(places.size(), free_robot(0.5));

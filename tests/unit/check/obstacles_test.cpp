@@ -35,7 +35,7 @@ TEST(CheckObstacles, a_robot_at_rest_is_run_over) {
   EXPECT_TRUE(allowed.safe());
 }
 
-// Whoever is allowed to be run over at rest may not be hit in motion.
+// A robot that may be run over at rest may not be hit in motion.
 TEST(CheckObstacles, to_be_run_over_at_rest_is_all_that_is_allowed) {
   const std::vector<Moment> recording{{0.0, {{0, {0, 0}, {1, 0}}}}, {1.0, {{0, {1, 0}, {1, 0}}}}};
   const CheckReport report =

@@ -165,7 +165,8 @@ TEST(CheckPairs, the_least_clearance_is_that_of_all_times) {
   EXPECT_EQ(report_of(kTwo, {at(0, 10.0), at(1, 9.5), at(2, 9.75)}).least_clearance, 8.5);
 }
 
-// Two pairs within one step, the one on the right first; whichever way the sweep goes.
+// Two pairs touch within one step, and the report names the first pair. The direction of the sweep
+// does not matter.
 TEST(CheckPairs, the_first_of_a_step_is_the_first) {
   const std::vector<CheckedRobot> four(4, free_robot());
   for (const double side : {-1.0, 1.0}) {
@@ -201,7 +202,8 @@ TEST(CheckPairs, no_pair_has_no_clearance) {
       << "never there together";
 }
 
-// One passes through another one, which stands or moves, by who avoids whom.
+// Robot A passes through robot B, which stands or moves. The verdict depends on which robot avoids
+// the other.
 TEST(Pairs, count_for_those_who_avoid_the_other) {
   const auto judged = [](std::uint32_t avoids_A, std::uint32_t avoids_B, double speed_B) {
     CheckedRobot A, B;

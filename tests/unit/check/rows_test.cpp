@@ -56,8 +56,8 @@ TEST(CheckRows, a_robot_is_not_judged_where_it_is_missing) {
   EXPECT_EQ(report_of({limited, limited}, without_gap).jumps.count, 1);
 }
 
-// They go through each other and through a wall on the way that nobody knows; what the rows tell,
-// and what a_max allows over any time, is judged all the same.
+// The robots go through each other and through a wall, on a path that no row tells. The check still
+// judges what the rows tell, and what a_max allows over any time.
 TEST(CheckRows, the_way_to_rows_after_some_that_are_missing_is_not_judged) {
   const auto skipped = [](Vec2 to, Vec2 velocity) {
     Check check({{.goal = Vec2{9, 0}}, {}});

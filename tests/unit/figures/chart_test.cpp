@@ -49,7 +49,7 @@ TEST_F(ChartFile, the_legend_stands_below_the_axes) {
   EXPECT_EQ(with.width, without.width);
   ASSERT_GT(with.height, without.height);
   const std::size_t both = 3 * without.width * (without.height - 2);  // its edge is no whole pixel
-  int largest = 0;  // difference: Cairo rounds in another way on a higher page
+  int largest = 0;  // difference: Cairo rounds differently on a higher page
   for (std::size_t k = 0; k < both; ++k)
     largest = std::max(largest, std::abs(int{without.rgb[k]} - int{with.rgb[k]}));
   EXPECT_LE(largest, 8) << "the plot and its axes are as without a legend";

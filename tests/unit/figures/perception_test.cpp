@@ -58,7 +58,7 @@ TEST(Perception, half_planes_are_those_of_the_planner) {
 
 TEST(Perception, the_choice_of_avo_is_that_with_the_detour_that_is_remembered) {
   Simulation::Perception seen = some_perception();
-  seen.neighbors[0].position = {1.6, 0.1};  // in the way, and stays there
+  seen.neighbors[0].position = {1.6, 0.1};  // ahead of the robot, and stays there
   seen.neighbors[0].velocity = {};
   seen.robot.velocity = {};
   seen.detour.angle = 1.0;

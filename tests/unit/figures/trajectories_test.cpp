@@ -68,7 +68,7 @@ TEST_F(TrajectoriesFile, newer_discs_are_darker_and_on_top) {
   const int turn = brightness(Vec2{4.0, 0.0} + off_center);
   const int newest = brightness(Vec2{2.0, 0.0} + off_center);
   EXPECT_GT(oldest, turn + 20);
-  EXPECT_GT(turn, newest + 20);  // the way there passes below it, half way through the run
+  EXPECT_GT(turn, newest + 20);  // the path to the turn passes below it, halfway through the run
   EXPECT_EQ(brightness({5.5, 2.0}), 255);
 }
 

@@ -27,7 +27,7 @@ double sampled_min(Vec2 normal, const Disc& a, const Disc& b, int samples) {
   return least;
 }
 
-// Of discs anywhere: the second one is the speed disc, which lies around 0.
+// The discs may lie anywhere. The second disc is the speed disc, which lies around 0.
 double support_min(Vec2 normal, const Disc& a, const Disc& b) {
   const Lens lens = make_lens({a.center - b.center, a.radius}, b.radius);
   return lens_support_min(normal, lens) + dot(normal, b.center);

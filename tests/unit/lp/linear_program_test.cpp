@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Named cases of the program of Eqs. (22), (23): each degenerate case, each way to fail.
+// These are named cases of the program of Eqs. (22), (23): each degenerate case, and each kind of
+// failure.
 #include "lp/linear_program.h"
 
 #include <bit>
@@ -212,7 +213,7 @@ TEST(LinearProgram, hard_half_planes_that_leave_nothing_share_the_violation) {
 TEST(LinearProgram, fails_at_every_index) {
   const Planes others{{{0, 1}, -0.5},   {{0, -1}, -0.6},     {{-1, 0}, -1.5},
                       {{0.6, 0.8}, -1}, {{-0.6, 0.8}, -1.2}, {{0.8, -0.6}, -1.1}};
-  // these two leave |x| <= -0.4; no other plane is in the way at (0, 0.1)
+  // these two half-planes leave |x| <= -0.4; no other half-plane matters at (0, 0.1)
   for (std::size_t first = 0; first <= others.size(); ++first) {
     for (std::size_t second = first; second <= others.size(); ++second) {
       Planes soft = others;

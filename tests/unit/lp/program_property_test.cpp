@@ -35,7 +35,8 @@ TEST_P(Programs, P10_P11_agree_with_all_vertices) {
   EXPECT_GT(states[2], kPrograms / 2000);
 }
 
-// P10 as it is written: dense samples around the result, ever closer to it.
+// The test checks P10 word for word, with dense samples around the result, ever closer to the
+// result.
 TEST_P(Programs, P10_no_sampled_point_is_nearer) {
   Random random(7);
   for (int k = 0; k < kPrograms / 10; ++k) {
@@ -55,7 +56,7 @@ TEST_P(Programs, P10_no_sampled_point_is_nearer) {
   }
 }
 
-// P11 likewise.
+// The test checks P11 word for word, with the same kind of samples.
 TEST_P(Programs, P11_no_sampled_point_is_less_unsafe) {
   Random random(8);
   for (int k = 0; k < kPrograms / 4; ++k) {
@@ -124,7 +125,8 @@ void shuffle(std::vector<HalfPlane>& planes, Random& random) {
   }
 }
 
-// All families but the nearly degenerate one, where rounding may move the result a long way.
+// The test takes all families but the nearly degenerate family, where rounding may move the result
+// far.
 TEST(Programs, P10_order_changes_rounding_only) {
   for (const Family& family : kFamilies) {
     if (family.make == nearly_degenerate_program) continue;

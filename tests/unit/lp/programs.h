@@ -99,7 +99,7 @@ inline Program nearly_degenerate_program(Random& random) {
   return p;
 }
 
-/// Discs up to nine decades apart in size whose circles cross, touch or nearly do.
+/// The discs differ by up to nine decades in size. Their circles cross, touch or nearly touch.
 inline Program lopsided_program(Random& random) {
   Program p;
   const double scale = std::pow(10.0, random.uniform(-6.0, 7.0));

@@ -27,7 +27,7 @@ Scenario march() {
   return scene;
 }
 
-// Four blocks of 4 x 4 that cross, each on its way to the opposite side.
+// Four blocks of 4 x 4 robots cross, and each block goes to the opposite side.
 Scenario streams() {
   Scenario scene;
   for (int row = 0; row < 4; ++row) {

@@ -18,7 +18,7 @@ using Host = test::WatchedHost;
 TEST(ContactEvents, are_contacts_in_motion_and_at_rest) {
   Scenario scene;
   scene.method = Method::avo_paper;
-  scene.sensing_radius = 1e-3;  // nobody evades
+  scene.sensing_radius = 1e-3;  // no robot evades
   RobotSetup parked = robot_at({0, 10}, {0, 10});
   parked.behavior = Behavior::parked;
   scene.robots = {robot_at({0, 0}, {0, 0}), robot_at({-10, -10}, {90, -10}), parked};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Voronoi cells, danger, order and the flow across a line, by hand and against other ways to them.
+// The tests check Voronoi cells, danger, order and the flow across a line, by hand and against
+// other computations.
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
@@ -102,7 +103,7 @@ TEST(Flow, of_a_column) {
   std::vector<RobotSetup> robots;
   for (int k = 0; k < 5; ++k) robots.push_back(cruising({-2.0 - 3.0 * k, 0.3}, {90, 0.3}));
   robots.push_back(cruising({-2.0, 1.7}, {90, 1.7}));    // beside the line
-  robots.push_back(cruising({-2.0, -0.9}, {90, -0.9}));  // likewise
+  robots.push_back(cruising({-2.0, -0.9}, {90, -0.9}));  // beside the line too
   const RunMetrics m = measured(blind(robots), 120, {.line = MeasuringLine{{0, -0.8}, {0, 1.6}}});
   ASSERT_EQ(m.crossing_times->size(), 5U);
   for (std::size_t k = 0; k < 5; ++k)
@@ -112,7 +113,7 @@ TEST(Flow, of_a_column) {
   EXPECT_FALSE(m.danger);
 }
 
-// Both ways, each robot once, and one that stops on the line is over it.
+// Each robot counts once, in both directions, and a robot that stops on the line is over the line.
 TEST(Flow, counts_each_robot_once) {
   Scenario scene = blind({cruising({-3, 0}, {90, 0}), cruising({3, 5}, {-90, 5})});
   Simulation simulation(scene, 1);

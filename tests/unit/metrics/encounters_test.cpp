@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who meets whom in a step is told by lists that are made for several steps: the figures are those
-// of looking at all pairs anew, and most robots are never looked at.
+// Lists that are made for several steps tell which robots meet in a step. The figures are those of
+// looking at all pairs anew, and most robots are never looked at.
 #include "metrics/encounters.h"
 
 #include <functional>
@@ -63,7 +63,7 @@ void expect_same(const Encounters& a, const Encounters& b) {
   EXPECT_EQ(a.overlapping, b.overlapping);
 }
 
-// Of another roster at every step nobody is listed for longer than that.
+// With another roster at every step, no robot is listed for longer than one step.
 TEST(Encounters, are_the_same_whether_robots_are_listed_for_several_steps) {
   for (const double side : {60.0, 20.0, 6.0}) {
     Drifting kept(150, side), anew(150, side);
@@ -77,7 +77,7 @@ TEST(Encounters, are_the_same_whether_robots_are_listed_for_several_steps) {
   }
 }
 
-// One that is put far away passes everybody in that step.
+// A robot that is put far away passes every other robot in that step.
 TEST(Encounters, are_the_same_where_somebody_is_put_elsewhere) {
   Drifting kept(150, 30.0), anew(150, 30.0);
   Encounters of_lists, of_all;

@@ -138,7 +138,7 @@ TEST(Metrics, obstacle_collisions_are_counted_apart_and_once) {
   EXPECT_FALSE(summary.first_collision_time);
 }
 
-// Where it waits on its way, and at its goal.
+// The robot stands at its goal, or waits 30 m before its goal.
 TEST(Metrics, a_robot_that_is_run_over_at_rest_is_no_success) {
   for (const double goal : {0.0, 30.0}) {
     Scenario scene = blind({robot_at({0, 0}, {goal, 0}), robot_at({0, 30}, {0, 30})});
@@ -207,7 +207,7 @@ TEST(Metrics, robots_that_come_and_go_are_counted) {
   EXPECT_EQ(metrics.summary().collision_pairs, 0);
   simulation.remove_robot({0});
   step();
-  // where the first one was: nobody overlaps with what is gone
+  // the new robot stands where the first robot was, and no robot overlaps with a removed robot
   simulation.add_robot(robot_at({0.2, 0}, {0.2, 0}));
   step();
   step();

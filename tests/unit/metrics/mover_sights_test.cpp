@@ -15,7 +15,7 @@ using test::mover;
 using test::Random;
 using test::robot_at;
 
-// Movers whose straight ways pass near the robot's.
+// The straight courses of the moving obstacles pass near the course of the robot.
 Scenario among_movers(std::uint64_t seed) {
   Random random(seed);
   Scenario scene;
@@ -48,8 +48,8 @@ TEST(MoverSights, nobody_alone_is_hit_who_had_an_evasion) {
   EXPECT_GT(with_way_out, 50);
 }
 
-// A robot in the midst of others that hardly move. Its evasive maneuver leads through them: ways do
-// not look at others who decide.
+// A robot is in the midst of other robots that hardly move. Its evasive maneuver leads through the
+// other robots, because courses do not look at other robots that decide.
 Scenario walled_in(double speed) {
   Scenario scene;
   scene.sensing_radius = 30.0;
@@ -104,7 +104,7 @@ TEST(MoverSights, are_those_of_the_last_time) {
   EXPECT_EQ(summary.mover_collisions_evadable, 0);
 }
 
-// Who keeps a certificate counts, whatever the method of the scene is.
+// A robot that keeps a certificate counts, whatever the method of the scene is.
 TEST(MoverSights, are_of_robots_that_have_a_method_of_their_own) {
   Scenario scene = among_movers(2);
   scene.method = Method::orca;

@@ -29,7 +29,7 @@ inline Scenario alone(std::vector<RobotSetup> robots) {
   return scene;
 }
 
-// Robots that sense nobody drive into each other.
+// Robots that sense no other robot drive into each other.
 inline Scenario blind(std::vector<RobotSetup> robots) {
   Scenario scene;
   scene.method = Method::avo_paper;

@@ -119,7 +119,8 @@ TEST(AccelerationRms, of_a_robot_alone) {
   EXPECT_NEAR(*strong.acceleration_rms, std::sqrt(*strong.effort / *strong.flowtime) / 4.0, 1e-12);
 }
 
-// Of all models. Some holonomic robots brake three times as hard as they speed up.
+// The crowd has robots of all models. Some holonomic robots brake three times as hard as they speed
+// up.
 Scenario shaking_crowd(std::uint64_t seed) {
   Scenario scene = test::dense_scene(40, Motion::held, seed);
   scene.method = Method::avo;

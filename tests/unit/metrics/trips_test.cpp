@@ -56,7 +56,8 @@ TEST(Trips, of_nobody) {
   EXPECT_EQ(m, RunMetrics{});
 }
 
-// Within 0.5 m of its goal from the start on, and one on a way that it never ends.
+// One robot is within 0.5 m of its goal from the start on. The other robot is on a route that it
+// never ends.
 TEST(Trips, of_those_that_need_no_time_and_too_much) {
   RobotSetup idle = robot_at({0, 50}, {30, 50});
   idle.preferred_speed = 0.0;
@@ -67,7 +68,7 @@ TEST(Trips, of_those_that_need_no_time_and_too_much) {
   EXPECT_FALSE(m.flowtime);
   EXPECT_FALSE(m.path_ratio);
   EXPECT_FALSE(m.efficacy);
-  EXPECT_EQ(*m.deadlock_time, 0.0);  // who wants to stand is not stuck
+  EXPECT_EQ(*m.deadlock_time, 0.0);  // a robot that wants to stand is not stuck
 }
 
 // Closing at 4 m/s, nearest at 0.3 m: overlap from 2.2615 s to 2.7385 s, which is in six steps.
@@ -177,7 +178,8 @@ TEST(Trips, of_a_robot_in_a_blind_alley) {
   EXPECT_LT(*m.deadlock_time, 38.0);
 }
 
-// The way around the end of a wall is as long as that to its corner and on, within the radius.
+// The route around the end of a wall is as long as the route to its corner and on, within the
+// radius.
 TEST(Trips, go_by_the_shortest_way_around_walls) {
   Scenario scene = alone({robot_at({-4, 0}, {4, 0})});
   scene.obstacles = {wall({{0, -3}, {0, 30}})};

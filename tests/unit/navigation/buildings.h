@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls with narrow ways between them, and the same walls given otherwise.
+// The buildings have walls with narrow lanes between them, and the same walls given otherwise.
 #pragma once
 #include <cstddef>
 #include <utility>

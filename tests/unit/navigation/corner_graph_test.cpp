@@ -16,7 +16,7 @@
 namespace avo {
 namespace {
 
-// Of all pairs, looked at one by one.
+// The function looks at all pairs of corners, one by one.
 std::vector<std::uint32_t> joined_to(const CornerGraph& graph, std::uint32_t i) {
   std::vector<std::uint32_t> joined;
   for (std::uint32_t k = 0; k < graph.corners(); ++k) {

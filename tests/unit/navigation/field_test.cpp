@@ -61,7 +61,7 @@ TEST(Field, all_that_a_point_aims_at_is_seen_from_there_and_nearer_to_the_goal) 
     }
   }
   EXPECT_GT(bends, 3000);
-  EXPECT_LT(samples, bends / 20);  // ways bend at corners, but where these are hard to find
+  EXPECT_LT(samples, bends / 20);  // routes bend at corners, but where these are hard to find
 }
 
 TEST(Field, ways_are_hardly_longer_than_by_all_pairs_of_corners_and_as_many) {

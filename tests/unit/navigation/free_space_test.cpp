@@ -57,8 +57,8 @@ struct Flood {
   Vec2 place(int k) const { return origin + step * Vec2{1.0 * (k % side), 1.0 * (k / side)}; }
 };
 
-// Steps of a grid whose places keep half a step more than r never leave the free space; those of
-// one whose places keep half a step less miss no way of it.
+// Steps of a grid of places that keep half a step more than r never leave the free space. Steps of
+// a grid of places that keep half a step less miss no route of the free space.
 TEST(FreeSpace, IsConnectedWhereAFloodSaysSo) {
   constexpr double kRadius = 0.4, kStep = 0.1, kExtent = 14.0;
   int together = 0, apart = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Worlds to find ways in.
+// The functions make worlds to find routes in.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -39,8 +39,8 @@ inline std::vector<Wall> random_walls(int count, double extent, std::uint64_t se
   return walls;
 }
 
-/// A maze of side x side cells in which each place is reached by one way; loose pieces, each one a
-/// side of a cell, in no order and in both directions.
+/// The maze has side x side cells, and exactly one route reaches each place. The walls are loose
+/// pieces, and each piece is a side of a cell. The pieces are in no order and in both directions.
 inline std::vector<Wall> maze(int side, double cell, std::uint64_t seed) {
   Random random(seed);
   const auto cells = static_cast<std::size_t>(side);

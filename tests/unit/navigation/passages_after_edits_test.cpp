@@ -52,7 +52,7 @@ std::vector<Wall> building(std::uint64_t seed, double side) {
     case 2:
       return test::noise_map(static_cast<int>(side), 0.1, seed);
     default:
-      std::vector<Wall> rows;  // so long that ways are narrow beyond the first range
+      std::vector<Wall> rows;  // so long that lanes are narrow beyond the first range
       for (double y = 0.0; y < side; y += 1.3)
         for (double x = 0.0; x < side; x += 10.0) rows.push_back({{x, y}, {x + 8.5, y}, 0.0});
       return rows;
@@ -109,7 +109,7 @@ TEST(PassagesAfterEdits, AreThoseThatAreFoundAnew) {
   EXPECT_LT(2 * in_all.gaps, anew.gaps) << in_all.gaps << " of " << anew.gaps;
 }
 
-// Between two gaps that stay, a hole in a wall beside the way closes and opens: what was one wide
+// Between two gaps that stay, a hole in a wall beside the route closes and opens. What was one wide
 // place is narrow all along.
 TEST(PassagesAfterEdits, SeeWallsThatAreBesideTheWayAlone) {
   const std::vector<double> radii{0.35};

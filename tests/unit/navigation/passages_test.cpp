@@ -180,7 +180,8 @@ TEST(Passages, ThickWallsAndPostsMakeTheSameDoor) {
     expect_one(passages_of(walls), {-0.85, 0}, {0.45, 0}, 0.8, false);
 }
 
-// A thin wall leads on from the end of a thick one, whose end sticks out all the same.
+// A thin wall leads on from the end of a thick wall. The end of the thick wall sticks out all the
+// same.
 TEST(Passages, WhatIsThickerAtAnEndIsNarrower) {
   const std::vector<Wall> walls{
       {{0, 0}, {5, 0}, 0.0}, {{5, 0}, {7, 0}, 0.3}, {{7, 0}, {12, 0}, 0.0}, {{0, 2}, {12, 2}, 0.0}};
@@ -212,7 +213,7 @@ TEST(Passages, WhereThreeWaysMeetThreeEnd) {
   }
 }
 
-// The straight way from door to door leads along a wall, and the room is beside it.
+// The straight route from door to door leads along a wall, and the room is beside the route.
 TEST(Passages, TwoDoorsInACornerOfARoomAreTwo) {
   const std::vector<Wall> walls = {{{-7, 0}, {-7, 7}}, {{-7, 0}, {0, 0}},    {{0, 0}, {0, 1.4}},
                                    {{0, 2.6}, {0, 7}}, {{-7, 7}, {-1.2, 7}}, {{0, 7}, {0, 12}}};
@@ -221,7 +222,8 @@ TEST(Passages, TwoDoorsInACornerOfARoomAreTwo) {
   for (std::uint32_t k = 0; k < 2; ++k) EXPECT_EQ(passages[k].axis.size(), 3u);
 }
 
-// A lane with a pocket beside it that one robot fits into, or from which a way leads on.
+// A lane has a pocket beside it. One robot fits into the pocket, or a route leads on from the
+// pocket.
 std::size_t passages_beside_a_pocket(double depth) {
   const double low = 0.8 + depth;
   return passages_of({{{-9, -0.8}, {9, -0.8}},
@@ -238,7 +240,7 @@ TEST(Passages, APocketForOneRobotIsNone) {
   EXPECT_GE(passages_beside_a_pocket(4.0), 3u) << "three lanes meet";
 }
 
-// Two gaps beside the end of a wall that divides the way do not see each other.
+// Two gaps beside the end of a wall that divides the passage do not see each other.
 TEST(Passages, OneEndsWhereItBranches) {
   const Passages passages =
       passages_of({{{-10, 0}, {20, 0}}, {{20, 2.4}, {-10, 2.4}}, {{0, 1.2}, {10, 1.2}}}, {0.56});
@@ -248,7 +250,7 @@ TEST(Passages, OneEndsWhereItBranches) {
   EXPECT_EQ(branches, 2);
 }
 
-// In the middle, a way from corner to corner is wider than those that cross it.
+// In the middle, a route from corner to corner is wider than the routes that cross it.
 TEST(Passages, TheDiagonalsOfACrossingAreNoGaps) {
   std::vector<Wall> walls;
   for (const Vec2 side : {Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}}) {
@@ -329,7 +331,7 @@ TEST(Passages, ALongCorridorIsOne) {
   EXPECT_EQ(passages_of({{{0, 0}, {120, 0}}, {{120, 1.6}, {0, 1.6}}}).size(), 1u);
 }
 
-// The ways from each gap to the next are as narrow as it, and cross no wall.
+// The lines from each gap to the next gap are as narrow as the gap, and cross no wall.
 TEST(Passages, TheirAxesCrossNoWall) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const std::vector<Wall> walls = test::random_walls(150, 40.0, seed);
@@ -463,7 +465,7 @@ TEST(PassageCrossings, TheFirstNarrowOneHasOneLaneOrTwo) {
   EXPECT_FALSE(Passages().first_narrow({-1, 0}, {1, 0}));
 }
 
-// Of a passage in pieces with a bend the direction is that of its axis at every gap.
+// Where a passage in pieces has a bend, its direction is the direction of its axis at every gap.
 TEST(PassageCrossings, TheDirectionHoldsBehindABend) {
   const Passages passages = passages_of(bend());
   const Passage& passage = passages[0];

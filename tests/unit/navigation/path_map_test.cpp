@@ -18,7 +18,8 @@ using test::turned;
 
 constexpr double kMapRadius = 0.5;
 
-// Of every map, with all pairs of corners joined, with those that are near, and with a lattice.
+// The tests take every map: with all pairs of corners joined, with the near pairs joined, and with
+// a lattice.
 class RoutesByMap : public testing::TestWithParam<Joining> {
  protected:
   static CornerGraph graph_of(const std::vector<Wall>& walls, double radius) {
@@ -39,8 +40,9 @@ Leg leg_from(const CornerGraph& graph, const PathMap& map, Vec2 p, std::uint32_t
   return next_leg(graph, map, p, graph.radius, target, looks_around, scratch);
 }
 
-/// The shortest way by all pairs of points on circles around all ends: no shorter than the
-/// shortest one that keeps `room`, and longer by the chords' bends only.
+/// Returns the length of the shortest route by all pairs of points on circles around all ends. The
+/// route is no shorter than the shortest route that keeps `room`. The route is longer by the
+/// chords' bends only.
 double brute_force(const std::vector<Wall>& walls, Vec2 from, Vec2 to, double room) {
   constexpr int kPoints = 24;
   std::vector<Vec2> points{from, to};
@@ -181,7 +183,8 @@ TEST_P(RoutesByMap, LeadAroundNarrowBends) {
   }
 }
 
-// Thick discs, between which each way has a room of its own: nobody turns back for more room.
+// The discs are thick, and each route between them has a room of its own. No robot turns back for
+// more room.
 TEST_P(RoutesByMap, LeadThroughDiscs) {
   int ways = 0;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
@@ -212,7 +215,7 @@ TEST_P(RoutesByMap, LeadThroughDiscs) {
   EXPECT_GT(ways, 300);
 }
 
-// What the map calls a way is one, and no place that a fair door leads to lacks one.
+// What the map calls a route is a route, and no place that a fair door leads to lacks a route.
 TEST_P(RoutesByMap, AreOnlyWhereThereIsOne) {
   int none = 0, lost = 0, some = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -237,8 +240,8 @@ TEST_P(RoutesByMap, AreOnlyWhereThereIsOne) {
   RecordProperty("lost", lost);
 }
 
-// A way around a gap that is closed is one among the same walls and one more across the gap, but
-// for what it keeps from that.
+// A route around a closed gap is a route among the same walls and one more wall across the gap.
+// Only what the route keeps from that wall differs.
 TEST_P(RoutesByMap, LeadAroundClosedGaps) {
   std::vector<Wall> walls;
   for (const double x : {0.0, 10.0}) {

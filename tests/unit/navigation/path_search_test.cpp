@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a search tells a robot of its way is what the whole map of the goal tells, to the last bit.
+// What a search tells a robot of its route is what the whole map of the goal tells, to the last
+// bit.
 #include "navigation/path_search.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ void expect_same(const Leg& one, const Leg& other) {
   ASSERT_EQ(one.turn, other.turn);
 }
 
-// A robot that follows its way and is pushed aside, by either map.
+// A robot follows its route and is pushed aside, by either map.
 class Walk {
  public:
   Walk(const CornerGraph& graph, Vec2 from, Vec2 goal)
@@ -94,11 +95,11 @@ TEST(PathSearch, leads_as_the_whole_map_does) {
     }
   }
   EXPECT_GT(legs, 5000);
-  EXPECT_LT(searches, legs / 8);  // who knows its way seldom searches again
+  EXPECT_LT(searches, legs / 8);  // a robot that knows its route seldom searches again
 }
 
-// Among so many corners that a robot remembers a part of them: it knows those beside its whole way,
-// and no more of others, where it is pushed aside.
+// There are so many corners that a robot remembers only a part of the corners. A robot knows the
+// corners beside its whole route, and no other corners where it is pushed aside.
 TEST(PathSearch, is_done_once_for_a_long_way) {
   for (const Joining joining : {Joining::all, Joining::near}) {
     const CornerGraph graph =
@@ -125,8 +126,8 @@ TEST(PathSearch, is_done_once_for_a_long_way) {
   }
 }
 
-// What a robot still knows after an edit near its way is what the whole map among the other walls
-// tells, and all that it takes for farther is.
+// What a robot still knows after an edit near its route is what the whole map among the edited
+// walls tells. All corners that the robot takes for farther are farther.
 TEST(PathSearch, is_of_use_after_an_edit_beside_the_way) {
   std::size_t known = 0, farther = 0, edits = 0;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
@@ -174,7 +175,7 @@ TEST(PathSearch, is_of_use_after_an_edit_beside_the_way) {
   EXPECT_GT(farther, 5000u);
 }
 
-// Who is restored on its way asks for the way from its target on.
+// A robot that is restored on its route asks for the route from its target on.
 TEST(PathSearch, tells_of_the_way_from_any_corner_what_the_whole_map_tells) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
@@ -223,7 +224,7 @@ TEST(PathSearch, settles_few_corners_of_a_large_map) {
   EXPECT_GT(in_view, 1000u) << "corners of which nobody has asked whether the goal sees them";
 }
 
-// A line across the only way that is short.
+// A line is closed across the only route that is short.
 TEST(PathSearch, keeps_off_lines_that_are_closed) {
   const std::vector<Wall> walls{{{0, -10}, {0, -1}}, {{0, 1}, {0, 10}}};
   const CornerGraph graph = corner_graph(walls, kRobotRadius);

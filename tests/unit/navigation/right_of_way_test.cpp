@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who goes first through a passage of one lane, and where the others wait.
+// The tests check which robot goes first through a passage of one lane, and where the other robots
+// wait.
 #include "navigation/right_of_way.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ bool goes(const Passage& passage, const Claimant& robot, const std::vector<Claim
   return goes(course_of(passage, robot, claimants));
 }
 
-// Those whose goals leave room for one of them come to rest side by side.
+// Where the goals of robots A and B leave room for one robot, A and B come to rest side by side.
 TEST(RightOfWay, WhoSharesAGoalIsNotWaitedFor) {
   const Passage passage = straight();
   Claimant robot = outside(passage, true, {-6.0, 0}), comes = inside(false, {-1.0, 0});
@@ -244,7 +245,7 @@ TEST(RightOfWay, OfTwoDirectionsInsideExactlyOneGoesBack) {
     const auto is_forward = [](const Claimant& robot) { return robot.claim.forward; };
     const bool meet = !std::all_of(all.begin(), all.end(), is_forward) &&
                       !std::none_of(all.begin(), all.end(), is_forward);
-    std::optional<bool> forward, backward;  // whether those who go so go on
+    std::optional<bool> forward, backward;  // whether robots of this direction go on
     for (const Claimant& robot : all) {
       const Course course = course_of(passage, robot, all);
       std::optional<bool>& side = robot.claim.forward ? forward : backward;
@@ -261,7 +262,7 @@ TEST(RightOfWay, OfTwoDirectionsInsideExactlyOneGoesBack) {
     }
     ++both;
     EXPECT_NE(*forward, *backward);
-    // those go on whose first one has come farthest
+    // the robots of one direction go on if their first robot has come farthest
     double come = -1.0, other = -1.0;
     for (const Claimant& robot : all) {
       const double way = robot.claim.forward ? robot.position.x + 5.0 : 5.0 - robot.position.x;
@@ -349,7 +350,7 @@ TEST(RightOfWay, BaysAreOnTheSideWhereThereIsRoom) {
   EXPECT_FALSE(beside.target) << "it stays beside the way out";
 }
 
-// Nobody is in the way of itself, whatever it seems to do.
+// A robot does not block itself, whatever the robot seems to do.
 TEST(RightOfWay, WhoIsAloneGoesOn) {
   const Passage passage = straight();
   Random random(4);

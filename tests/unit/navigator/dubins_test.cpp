@@ -44,7 +44,7 @@ TEST(Dubins, leads_to_the_goal) {
   }
 }
 
-// Any way of two arcs and a straight piece, or three arcs, is as long at least.
+// Any path of two arcs and a straight piece, or of three arcs, is at least as long.
 TEST(Dubins, is_no_longer_than_other_ways) {
   test::Random random(4);
   for (int k = 0; k < 300; ++k) {

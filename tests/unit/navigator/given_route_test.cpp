@@ -36,7 +36,7 @@ struct Alone {
 };
 
 struct Followed {
-  double time = 0.0, farthest_off = 0.0, slowest = 10.0;  // s, m, m/s on the way
+  double time = 0.0, farthest_off = 0.0, slowest = 10.0;  // s, m, m/s along the route
 };
 
 Followed follow(Alone& robot, const std::vector<Vec2>& route, double most) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A differential drive whose wheels follow commands with a lag, in steps and not below some speed.
-// A controller beside them turns velocities into wheels' speeds by drive_command().
+// The wheels of this differential drive follow commands with a lag, in steps and not below some
+// speed. A controller beside the wheels turns velocities into wheels' speeds by drive_command().
 #pragma once
 #include <algorithm>
 #include <cmath>

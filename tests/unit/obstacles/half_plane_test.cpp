@@ -56,8 +56,8 @@ TEST(HalfPlane, unavoidable_asks_for_all_that_is_in_reach) {
   EXPECT_TRUE(std::isfinite(half_plane({{1.0, 0.0}, {-3.0, 0.0}, 1.0}, kReach, kHorizon).excess));
 }
 
-// Pairs of the horn whose near side was once misread; the offsets are those of a brute force over
-// the hull's support.
+// The near side of the horn of these pairs was once misread. The offsets are those of a brute force
+// over the hull's support.
 TEST(HalfPlane, horn_that_leaves_the_reach_between_its_cusps) {
   const Pair pair{{-0.010306563999460804, 1.0254705997826155},
                   {-0.5884233876357865, -1.0109925795943762},

@@ -89,7 +89,7 @@ TEST(HalfPlanes, have_the_bits_of_one_pair_at_a_time_on_every_target) {
                                              << s;
       }
     });
-    // nobody but the pairs themselves is counted
+    // only the pairs themselves are counted
     EXPECT_TRUE(cases.value_or(seen.cases) == seen.cases);
     cases = seen.cases;
     EXPECT_GT(seen.cases.contact, 1'000);
@@ -105,7 +105,7 @@ TEST(HalfPlanes, have_the_bits_of_one_pair_at_a_time_on_every_target) {
   }
 }
 
-// On its way past, at little more than the radius.
+// The pair passes at little more than its radius.
 Situation close_pass(Random& random, Situation s) {
   const Vec2 p = s.pair.position;
   const double miss = s.pair.radius * (1.0 + random.log_uniform(1e-4, 1.0));

@@ -99,7 +99,7 @@ TEST(ClosestApproach, of_two_equal_passes_the_first) {
   EXPECT_NEAR(found.distance, 0.5, kNear);
 }
 
-// Comes in, turns at distance 1 and leaves again the way it came.
+// The obstacle comes in, turns at distance 1 and leaves again along the same line.
 TEST(ClosestApproach, reversal_is_found) {
   const Obstacle obstacle{{{5.0, 0.0}, {-4.0, 0.0}, 0.5}, Response::acceleration(), 10.0};
   const ClosestApproach found = closest_approach(obstacle, {2.0, 0.0});

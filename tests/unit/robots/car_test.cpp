@@ -110,7 +110,7 @@ TEST(Car, constant_speed_is_a_circle) {
   EXPECT_NEAR(step.acceleration, 0.9, 1e-15);
 }
 
-// Of a car of any kind, and one of its decisions.
+// The struct has a car of any kind, and one of its decisions.
 struct AnyDrive {
   Car car;
   MotionState state;   // of the disc
@@ -241,7 +241,7 @@ TEST(Car, limits_hold_all_through_the_step) {
     const Vec2 ahead{std::cos(step.next.heading), std::sin(step.next.heading)};
     EXPECT_NEAR(dot(ahead, step.next.velocity), speed, 1e-14);
     EXPECT_LE(std::abs(step.next.heading), std::numbers::pi);
-    // |v² κ| from what happened: the angle turned over the way driven
+    // |v² κ| follows from what happened: it is the angle turned over the path driven
     const double way = norm(step.next.position - drive.state.position);
     const double turned = angle_between(step.next.heading, drive.state.heading);
     const double top = std::max(speed, drive.speed);
@@ -329,8 +329,8 @@ TEST(Car, at_rest_without_a_wish_stays_as_it_is) {
   EXPECT_EQ(step.next.velocity, Vec2{});
 }
 
-// What is left of a speed by rounding is halved by rounding in each step, for ever; its sign would
-// say which way the car drives.
+// What is left of a speed by rounding is halved by rounding in each step, for ever. The sign of
+// this rest would say in which direction the car drives.
 TEST(Car, that_brakes_to_rest_has_no_speed_left) {
   Random random(41);
   for (int k = 0; k < 20'000; ++k) {
@@ -367,7 +367,7 @@ TEST(Car, at_rest_stays_at_rest_where_nothing_is_decided) {
   }
 }
 
-// Nobody creeps: whoever is slower than a decision means is at rest; and nobody at rest at its goal
+// No car creeps: a car that is slower than a decision means is at rest. No car at rest at its goal
 // turns for ever.
 TEST(Car, in_a_crowd_comes_to_rest_or_moves) {
   const CarBody ahead{0.4, 0.5};
@@ -473,7 +473,7 @@ TEST(Car, the_ends_of_a_step_tell_the_way_between) {
     const double turn = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
     EXPECT_LE(std::abs(turn), 3.0 + 1e-9);
     sharp += std::abs(turn) > 2.99 ? 1 : 0;
-    // it comes to the end of the step, on no longer way than the step says
+    // the car comes to the end of the step, on a path no longer than the step says
     const MotionState end = within(car, from, to, time_step * (1.0 - 1e-12), time_step);
     const double scale = 1.0 + step.length;
     ASSERT_NEAR(norm(end.position - to.position), 0.0, 1e-9 * scale) << "car " << i;

@@ -233,8 +233,8 @@ Car any_car(Random& random) {
   return car;
 }
 
-// Lanes, whose drives take different numbers of substeps, are what each of them is alone; so are
-// cars.
+// The drives in the lanes take different numbers of substeps. Each drive moves as the drive does
+// alone, and each car does too.
 TEST(Drive, of_those_that_move_together_each_moves_as_it_does_alone) {
   Random random(37);
   std::array<Plan, kMostModelSteps> plans;

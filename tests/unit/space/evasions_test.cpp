@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evasive maneuvers in space: what is clear touches nobody, and what is left of it is an evasive
-// maneuver.
+// The tests check evasive maneuvers in space. A clear maneuver touches no body, and what is left of
+// a clear maneuver is an evasive maneuver.
 #include "space/evasions.h"
 
 #include <algorithm>

@@ -117,7 +117,7 @@ TEST(EventsInSpace, are_robots_without_progress_once_and_why) {
 TEST(EventsInSpace, are_contacts_with_moving_obstacles_when_they_begin) {
   Scenario scene = scene_of({robot_at({0, 0, 0}, {0, 0, 0}), robot_at({9, 30, 0}, {9, 30, 0})});
   scene.certificate = Certificate::none;
-  scene.sensing_radius = 1e-3;  // nobody evades
+  scene.sensing_radius = 1e-3;  // no robot evades
   scene.moving_obstacles = {{.position = {-6, 0.2, 0}, .velocity = {1, 0, 0}, .radius = 0.5},
                             {.position = {0, 0, 4.03}, .velocity = {0, 0, -1}, .radius = 0.4},
                             {.position = {9, 36, 0.95}, .velocity = {0, -1, 0}, .radius = 0.4}};

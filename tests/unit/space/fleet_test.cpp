@@ -16,7 +16,7 @@
 namespace avo::space::tests {
 namespace {
 
-// Antipodal goals on a sphere: everybody meets in the middle.
+// The robots have antipodal goals on a sphere, and all of them meet in the middle.
 Scenario sphere(int count, double radius, double downwash = 0.0) {
   Scenario scene;
   scene.duration = 60.0;

@@ -160,7 +160,7 @@ TEST(Viewer, counts_a_robot_ahead_as_far_as_its_course_leads_to_contact) {
   EXPECT_GT(ahead({3, 0, 0.9}, {-2, 0, 0}), 0.4);
   EXPECT_EQ(ahead({3, 0, 2.1}, {-2, 0, 0}), 0.0);  // it passes with two contact distances
   EXPECT_EQ(ahead({-3, 0, 0}, {4, 0, 0}), 0.0);    // behind
-  EXPECT_GT(ahead({3, 0, 0}, {}), 0.4);            // at rest on the way
+  EXPECT_GT(ahead({3, 0, 0}, {}), 0.4);            // at rest on the robot's line
 }
 
 // What one body ahead adds to the traffic, by the formula alone.

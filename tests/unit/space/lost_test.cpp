@@ -40,7 +40,7 @@ struct Drifting {
   std::vector<Box> boxes = plate_and_pillar();
   Draws draws{7};
 
-  // m: the least gap on the way.
+  // m: the function returns the least gap along the path.
   double run(Robot& robot, int steps) {
     PlannerOptions options{.method = Method::avo};
     options.localization_error = declared;
@@ -84,7 +84,8 @@ TEST(LostInSpace, what_is_not_declared_makes_contact) {
   EXPECT_LT(drifting.run(robot, 300), -0.02);
 }
 
-// However near it is: a way from the box is one wherever the box is.
+// The robot leaves the box however near the robot is. A direction that leads off the box does so
+// wherever the box is.
 TEST(LostInSpace, one_beside_a_box_leaves_it) {
   for (const double gap : {1e-6, 0.01, 0.05, 0.11}) {
     Drifting drifting{.wish = {0.2, 0.1, 1.0}};
@@ -130,7 +131,7 @@ TEST(LostInSpace, a_view_from_aside_leads_into_no_post) {
   }
 }
 
-// Everybody is sent to one corner of a room, or to the end of a wall in its midst.
+// All robots are sent to one corner of a room, or to the end of a wall in its midst.
 Scenario pressed_room(std::uint64_t seed, double error) {
   Draws draws(seed);
   Scenario scene;

@@ -124,7 +124,8 @@ TEST(SpaceMovers, beside_boxes_a_robot_evades_without_touching_them) {
   }
 }
 
-// Fleets among moving obstacles: robots touch nobody in motion, and never each other.
+// There are fleets among moving obstacles. Robots in motion touch no body, and robots never touch
+// each other.
 TEST(SpaceMovers, touch_robots_of_a_fleet_at_rest_only) {
   for (int k = 0; k < 3; ++k) {
     Draws draws(static_cast<std::uint64_t>(k) + 200);
@@ -148,7 +149,7 @@ TEST(SpaceMovers, touch_robots_of_a_fleet_at_rest_only) {
   }
 }
 
-// Somebody who knows each decision accelerates towards the robot within what is declared.
+// A moving obstacle knows each decision and accelerates towards the robot within what is declared.
 TEST(SpaceMovers, that_deviate_touch_a_robot_at_rest_only) {
   for (int k = 0; k < 12; ++k) {
     Draws draws(static_cast<std::uint64_t>(k) + 300);

@@ -126,7 +126,7 @@ class Pair {
       if (attempt < 4) direction = there / norm(there) + (0.25 * attempt) * direction;
       if (attempt == 4) direction = other.velocity - robot.velocity;
       const Vec3 wish = towards(robot, direction);
-      double admitted = 0.0, refused = 1.0;  // of the way from braking to the wish
+      double admitted = 0.0, refused = 1.0;  // shares of the change from braking to the wish
       if (is_admitted(wish)) admitted = 1.0;
       for (int halving = 0; halving < 7 && admitted < 1.0; ++halving) {
         const double part = 0.5 * (admitted + refused);

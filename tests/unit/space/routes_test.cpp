@@ -87,8 +87,8 @@ TEST(SpaceRoutes, among_boxes_are_clear_and_hardly_longer_than_the_shortest) {
   EXPECT_LT(sum / kScenes, 1.005);
 }
 
-// Over the edge of a wall without end: a tangent, an arc around the edge, a tangent. The edge is
-// crossed where the unfolded way is straight.
+// A route over the edge of a wall without end is a tangent, an arc around the edge, and a tangent.
+// The route crosses the edge where the unfolded route is straight.
 TEST(SpaceRoutes, over_an_edge_are_as_short_as_the_unfolded_way) {
   const std::vector<Box> wall{box_of({-0.5, -Box::kFar, -Box::kFar}, {0.5, Box::kFar, 0.0})};
   const double room = 0.5 + kRouteRoom;

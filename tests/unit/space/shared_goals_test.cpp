@@ -66,7 +66,7 @@ std::int64_t judged_arrived(const Simulation& simulation) {
   return check.report().arrived;
 }
 
-// Runs until all rest at their goals, and then on: nobody moves again.
+// The simulation runs until all robots rest at their goals, and then on. No robot moves again.
 void expect_rest(const Scenario& scene) {
   Simulation simulation(scene);
   Metrics metrics(scene);
@@ -148,7 +148,7 @@ TEST(SharedGoalsInSpace, let_a_robot_with_another_goal_out) {
   EXPECT_TRUE(all_rest(simulation));
 }
 
-// What robots with these goals share, where nobody stands anywhere yet.
+// Robots with these goals share this, where no robot stands anywhere yet.
 std::vector<SpaceShares> shared(const std::vector<Robot>& robots, const std::vector<Vec3>& goals) {
   SharedGoals found;
   found.set(robots, goals);
@@ -190,7 +190,8 @@ TEST(SharedGoalsInSpace, are_those_on_which_robots_rest_that_had_no_room) {
   EXPECT_EQ(shares.of(2), SpaceShares::nothing) << "goals are new";
 }
 
-// Some robots find others on their goals whose goals are elsewhere. All count as arrived.
+// Some robots find other robots on their goals, and the goals of these other robots are elsewhere.
+// All robots count as arrived.
 TEST(SharedGoalsInSpace, differ_and_overlap) {
   for (const std::uint64_t seed : {6U, 9U, 13U, 20U, 35U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -11,7 +11,7 @@ namespace {
 struct Aim {
   std::size_t target = 0;
   bool at_its_stop = false;
-  double turn = 0.0;  ///< rad, off the way to the target
+  double turn = 0.0;  ///< rad, off the direction to the target
   int from = 0;       ///< step; it brakes before
 };
 

@@ -27,7 +27,7 @@ Robot body(Random& random, double least_a, double most_a, double v_max) {
   return robot;
 }
 
-// Robots close together whose joint braking avoids contact.
+// The robots are close together, and their joint braking avoids contact.
 auto crowd(int count, double least_a, double most_a, double v_max, double extent) {
   return [=](Random& random, const PlannerOptions& options) {
     const CertificateLaw law = law_of(options);
