@@ -113,7 +113,7 @@ TEST(FreeSteps, are_the_same_of_every_method) {
   }
 }
 
-// A robot that is faster than its limit is told from all others at every instant.
+// At every instant the simulation knows which robots are faster than their limits.
 TEST(FreeSteps, are_the_same_where_some_are_too_fast) {
   Scenario scene = crowd(60);
   for (std::size_t i = 0; i < scene.robots.size(); i += 7) {
