@@ -285,7 +285,7 @@ TEST(SpaceScenes, explain_names_the_obstacle_for_which_a_robot_brakes) {
   EXPECT_THAT(missing.err, HasSubstr("--robot: found 1, must be 0 to 0"));
   const ProcessResult figure =
       run_avo({"explain", path_of("scene.yaml"), "--robot", "0", "--figure", path_of("f.svg")});
-  EXPECT_THAT(figure.err, HasSubstr("--figure, --states: found with a scene of space"));
+  EXPECT_THAT(figure.err, HasSubstr("--figure, --states: found one of them with a scene of space"));
 }
 
 TEST(SpaceScenes, bench_measures_their_steps) {
