@@ -8,9 +8,8 @@
 #include "space/step_law.h"
 
 namespace avo::space::tests {
-namespace {
 
-std::vector<CheckedRobot> bodies_of(const std::vector<Robot>& robots) {
+std::vector<CheckedRobot> bodies_of(std::span<const Robot> robots) {
   std::vector<CheckedRobot> bodies;
   for (const Robot& robot : robots)
     bodies.push_back({.radius = robot.radius,
@@ -21,8 +20,6 @@ std::vector<CheckedRobot> bodies_of(const std::vector<Robot>& robots) {
                       .max_braking = robot.max_braking});
   return bodies;
 }
-
-}  // namespace
 
 Crush::Crush(std::vector<Robot> robots, std::vector<Box> boxes, const PlannerOptions& options,
              Draws draws, int most_age)
@@ -59,9 +56,8 @@ std::vector<Box> Crush::seen_boxes() {
   return boxes;
 }
 
-// As much of that direction as the limits of the robot let one step have.
-Vec3 Crush::towards(const Robot& robot, Vec3 direction) const {
-  const double u = robot.max_acceleration * planner_.options().time_step;
+Vec3 towards(const Robot& robot, Vec3 direction, double time_step) {
+  const double u = robot.max_acceleration * time_step;
   const Vec3 own = to_own(direction, robot.vertical);
   Vec3 v = to_own(robot.velocity, robot.vertical) + ((1.0 - 1e-12) * u / norm(own)) * own;
   const double speed = norm(v);
@@ -89,7 +85,7 @@ Vec3 Crush::choose(std::size_t k) {
         to = nearest(robot.position, robot.position, boxes_[box]).on_box - robot.position;
       }
     }
-    Vec3 v = towards(robot, to);
+    Vec3 v = towards(robot, to, planner_.options().time_step);
     // as near to what is refused as the certificate lets it
     for (int halving = 0; halving < 5; ++halving) {
       if (planner_.is_admitted(robot, others, workspace_, v, boxes)) return v;

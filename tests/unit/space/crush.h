@@ -2,6 +2,7 @@
 // Robots that want contact: each takes the worst velocity that the certificate admits.
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "avo/space/check.h"
@@ -9,6 +10,11 @@
 #include "unit/space/draws.h"
 
 namespace avo::space::tests {
+
+/// What the judge knows of these robots.
+std::vector<CheckedRobot> bodies_of(std::span<const Robot> robots);
+/// m/s: as much of that direction as the limits of the robot let one step have, s.
+Vec3 towards(const Robot& robot, Vec3 direction, double time_step);
 
 class Crush {
  public:
@@ -23,7 +29,6 @@ class Crush {
  private:
   Neighbor sensed(std::size_t k);
   std::vector<Box> seen_boxes();
-  Vec3 towards(const Robot& robot, Vec3 direction) const;
   Vec3 choose(std::size_t k);
   void observe();
 

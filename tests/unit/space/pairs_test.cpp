@@ -9,7 +9,7 @@
 #include "avo/space/check.h"
 #include "avo/space/planner.h"
 #include "space/own_space.h"
-#include "unit/space/draws.h"
+#include "unit/space/crush.h"
 
 namespace avo::space::tests {
 namespace {
@@ -30,15 +30,7 @@ class Pair {
   }
 
   CheckReport run(int steps) {
-    std::vector<CheckedRobot> bodies;
-    for (const Robot& robot : robots_)
-      bodies.push_back({.radius = robot.radius,
-                        .downwash = robot.downwash,
-                        .max_acceleration = robot.max_acceleration,
-                        .max_speed = robot.max_speed,
-                        .vertical = robot.vertical,
-                        .max_braking = robot.max_braking});
-    Check check(bodies, {}, CheckOptions{.relative_tolerance = 1e-12});
+    Check check(bodies_of(robots_), {}, CheckOptions{.relative_tolerance = 1e-12});
     const double h = options_.time_step;
     for (int k = 0; k <= steps; ++k) {
       check.add(k * h, std::vector<CheckedState>{{0, robots_[0].position, robots_[0].velocity},
@@ -101,14 +93,6 @@ class Pair {
     return norm(p + stop(a, next) - b.position - stop(b, b.velocity));
   }
 
-  Vec3 towards(const Robot& robot, Vec3 direction) const {
-    const Vec3 own = to_own(direction, robot.vertical);
-    const double u = robot.max_acceleration * options_.time_step;
-    Vec3 v = to_own(robot.velocity, robot.vertical) + ((1.0 - 1e-12) * u / norm(own)) * own;
-    if (norm(v) > robot.max_speed) v = ((1.0 - 1e-12) * robot.max_speed / norm(v)) * v;
-    return from_own(v, robot.vertical);
-  }
-
   Vec3 choose(int k) {
     const Robot &robot = robots_[k], &other = robots_[1 - k];
     const std::vector<Neighbor> others{neighbor(1 - k)};
@@ -125,7 +109,7 @@ class Pair {
       Vec3 direction = draws_.direction();
       if (attempt < 4) direction = there / norm(there) + (0.25 * attempt) * direction;
       if (attempt == 4) direction = other.velocity - robot.velocity;
-      const Vec3 wish = towards(robot, direction);
+      const Vec3 wish = towards(robot, direction, options_.time_step);
       double admitted = 0.0, refused = 1.0;  // shares of the change from braking to the wish
       if (is_admitted(wish)) admitted = 1.0;
       for (int halving = 0; halving < 7 && admitted < 1.0; ++halving) {
